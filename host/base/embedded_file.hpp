@@ -1,0 +1,11 @@
+#pragma once
+
+namespace nook {
+
+/// A text file compiled into the binary; `path` is relative to the repository root ("kernels/warp.cl").
+struct EmbeddedFile {
+  const char* path;
+  const char* text;
+};
+
+}  // namespace nook

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace nook {
+
+/// One plane of an image, row-major, row 0 at the top.
+struct Channel {
+  std::string name;  ///< as in the EXR file: "R", "N.X", "AO.samples"
+  std::variant<std::vector<float>, std::vector<std::uint32_t>> values;
+};
+
+/// A finished image: planes of width * height values, and text metadata.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<Channel> channels;
+  std::map<std::string, std::string> metadata;  ///< "nook/seed" -> "7"
+
+  const Channel* find(std::string_view name) const {
+    for (const Channel& channel : channels)
+      if (channel.name == name) return &channel;
+    return nullptr;
+  }
+};
+
+}  // namespace nook

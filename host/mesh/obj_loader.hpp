@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+
+#include "mesh/triangle_mesh.hpp"
+
+namespace nook {
+
+/// What to keep of a mesh file; what no effect reads is not kept.
+struct MeshAttributes {
+  bool normals = true;
+  bool uvs = false;
+  bool materials = false;
+  bool groups = false;
+};
+
+/// Reads a Wavefront OBJ file (by tinyobjloader), triangulated.
+/// Throws Error(scene) with one line: missing file, not a regular file, no triangles, index out of range (with the face).
+TriangleMesh load_obj(const std::filesystem::path& path, const MeshAttributes& attributes = {});
+
+}  // namespace nook

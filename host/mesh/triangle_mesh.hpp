@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "math/bounds.hpp"
+#include "math/types.hpp"
+
+namespace nook {
+
+/// A surface's material, from the MTL file. Only what an effect can read is kept.
+struct Material {
+  std::string name;
+  float phong_exponent = -1.0f;  ///< Ns; negative: the material has no lobe
+  std::string opacity_map;       ///< map_d, path as resolved; empty: opaque
+};
+
+/// Indexed triangles, shared by the path tracer and SSAO.
+///
+/// Invariants after loading: every index is in range; positions of every triangle are finite; `normals` are
+/// unit length. A corner without a usable normal has index `no_normal`: it shades with the geometric normal.
+/// `triangle_normals`, `triangle_uvs` and `triangle_material` are either empty (the mesh has none) or as long as `triangles`.
+struct TriangleMesh {
+  static constexpr std::uint32_t no_normal = 0xffffffffu;
+
+  std::vector<vec3> positions;  ///< world units
+  std::vector<vec3> normals;    ///< unit length
+  std::vector<vec2> uvs;
+  std::vector<std::array<std::uint32_t, 3>> triangles;         ///< indices into positions, counter-clockwise
+  std::vector<std::array<std::uint32_t, 3>> triangle_normals;  ///< indices into normals, or no_normal
+  std::vector<std::array<std::uint32_t, 3>> triangle_uvs;
+  std::vector<std::uint32_t> triangle_material;  ///< index into materials
+  std::vector<std::uint32_t> triangle_group;     ///< index into groups
+  std::vector<Material> materials;
+  std::vector<std::string> groups;
+  Bounds3 bounds;  ///< of the positions that triangles use
+
+  /// What the loader found and did; `nook info` prints it.
+  struct Report {
+    std::uint64_t faces_read = 0;
+    std::uint64_t non_finite_dropped = 0;   ///< triangles with a NaN or infinite vertex
+    std::uint64_t zero_area = 0;            ///< kept: they can never be hit
+    std::uint64_t duplicates = 0;           ///< triangles with the same three positions as an earlier one; kept
+    std::uint64_t normals_replaced = 0;     ///< corners whose normal was missing, zero or not finite
+    std::uint64_t normals_normalised = 0;   ///< normals whose length was not 1
+  } report;
+
+  bool empty() const { return triangles.empty(); }
+  bool has_normals() const { return !triangle_normals.empty(); }
+};
+
+}  // namespace nook

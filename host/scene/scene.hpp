@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "math/types.hpp"
+
+namespace nook {
+
+/// Pinhole camera, TinyRender's: right-handed, looking along at - eye, row 0 at the top.
+struct Camera {
+  vec3 eye{1, 1, 0};
+  vec3 at{0, 0, 0};
+  vec3 up{0, 1, 0};
+  float fov = 30;  ///< vertical, degrees, in (0, 180)
+};
+
+/// Pixels [x0, x1) x [y0, y1), row 0 at the top.
+struct PixelRect {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  int width() const { return x1 - x0; }
+  int height() const { return y1 - y0; }
+  bool operator==(const PixelRect&) const = default;
+};
+
+/// How far an occlusion ray looks.
+struct DistanceLimit {
+  enum class Kind { automatic, none, value };
+  Kind kind = Kind::automatic;
+  float value = 0;  ///< world units, for Kind::value
+
+  bool operator==(const DistanceLimit&) const = default;
+};
+
+enum class EffectKind { ao, ro, ssao, normal, position, depth };
+/// The distribution that directions are drawn from. `lobe` and `mixture` are for RO alone.
+enum class Sampling { cosine, hemisphere, sphere, lobe, mixture };
+/// The point sequence; see kernels/sampler.cl.
+enum class Sampler { independent, stratified, halton, sobol, zorder };
+
+/// Screen-space AO; see ssao/ssao.hpp for what the methods compute.
+struct SsaoSettings {
+  enum class Method { point, gtao, march };
+  enum class Quality { draft, real_time, accurate };
+  Method method = Method::point;
+  std::optional<Quality> quality;  ///< unset: the method as the assignment has it
+  float radius = 0.15f;            ///< world units; 0: half the radius of the bounding sphere
+  float bias = 0.0f;               ///< world units
+  int samples = 32;                ///< directions a pixel, 1 to 32
+  bool range_check = false;        ///< point: ignore occluders beyond the radius
+};
+
+/// One thing that the scene asks for.
+struct Effect {
+  EffectKind kind = EffectKind::ao;
+  std::string name;  ///< EXR layer; empty: the default layer (R, G, B)
+  Sampling sampling = Sampling::cosine;
+  DistanceLimit max_distance;
+  float exponent = 30;              ///< RO: Phong exponent, 0 to 1e7
+  bool exponent_of_material = false;  ///< RO: use the MTL's Ns
+  SsaoSettings ssao;
+};
+
+/// What a scene file says, checked and complete; nothing is derived yet (see render/plan.hpp).
+struct Scene {
+  std::filesystem::path file;                  ///< as the user named it; for messages
+  std::filesystem::path mesh_file;             ///< resolved against the scene file's folder
+  Camera camera;
+  bool automatic_camera = false;               ///< frame the mesh (a bare OBJ)
+  int width = 768, height = 576;               ///< pixels
+  std::optional<PixelRect> crop;
+  bool realtime = false;
+  std::vector<Effect> effects;                 ///< at least one
+  std::uint32_t spp = 1;                       ///< camera rays a pixel
+  std::uint32_t directions = 1;                ///< occlusion rays per camera ray
+  Sampler sampler = Sampler::sobol;
+  std::uint32_t seed = 0;
+  bool compat_tinyrender = false;              ///< automatic AO limit 1.5, as the course's images have
+};
+
+}  // namespace nook
