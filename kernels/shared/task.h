@@ -22,6 +22,8 @@ typedef struct {
   nook_uint width;             // of the whole image, pixels (Z-order samplers need it); 0 for point lists
   float max_distance;          // world units; INFINITY if unlimited
   float exponent;              // RO: Phong exponent
+  float sum_scale;             // fixed point of TaskResult.sum, a power of two
+  float square_scale;          // fixed point of TaskResult.sum_square
 } EstimatorParams;
 
 #endif

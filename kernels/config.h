@@ -1,0 +1,57 @@
+// Every macro a kernel may be specialised by: its values, its default, its check. The host sets them (device/kernel_config).
+// Structural choices are macros, continuous values (radius, exponent) are kernel arguments. Bodies say `if (MACRO)`, so
+// that a branch that is off is still parsed.
+#ifndef NOOK_CONFIG_H
+#define NOOK_CONFIG_H
+
+// What the occlusion kernel estimates.
+#define EFFECT_AMBIENT 0
+#define EFFECT_REFLECTION 1
+#ifndef EFFECT
+#define EFFECT EFFECT_AMBIENT
+#endif
+#if EFFECT < 0 || EFFECT > 1
+#error "EFFECT: 0 ambient, 1 reflection"
+#endif
+
+// The distribution directions are drawn from; the order of nook::Sampling.
+#define SAMPLING_COSINE 0
+#define SAMPLING_HEMISPHERE 1
+#define SAMPLING_SPHERE 2
+#define SAMPLING_LOBE 3
+#define SAMPLING_MIXTURE 4
+#ifndef SAMPLING
+#define SAMPLING SAMPLING_COSINE
+#endif
+#if SAMPLING < 0 || SAMPLING > 4
+#error "SAMPLING: 0 cosine, 1 hemisphere, 2 sphere, 3 lobe, 4 mixture"
+#endif
+#if EFFECT == EFFECT_AMBIENT && SAMPLING > SAMPLING_SPHERE
+#error "SAMPLING: lobe and mixture need EFFECT_REFLECTION"
+#endif
+
+// The point sequence; the order of nook::Sampler.
+#define SAMPLER_INDEPENDENT 0
+#define SAMPLER_STRATIFIED 1
+#define SAMPLER_HALTON 2
+#define SAMPLER_SOBOL 3
+#define SAMPLER_ZORDER 4
+#ifndef SAMPLER
+#define SAMPLER SAMPLER_SOBOL
+#endif
+#if SAMPLER < 0 || SAMPLER > 4
+#error "SAMPLER: 0 independent, 1 stratified, 2 halton, 3 sobol, 4 zorder"
+#endif
+
+// 1: the spread of the estimate is measured between directions (one camera ray a pixel, point lists);
+// 0: between camera rays.
+#ifndef REPLICATE_DIRECTIONS
+#define REPLICATE_DIRECTIONS 0
+#endif
+
+// 1: the mesh has vertex normals, and they are bound.
+#ifndef VERTEX_NORMALS
+#define VERTEX_NORMALS 0
+#endif
+
+#endif

@@ -1,0 +1,158 @@
+// The entry points: `primary` finds the surface points of the camera rays, `occlusion` estimates an effect at them.
+#include "config.h"
+#include "shared/surface_point.h"
+#include "shared/task.h"
+#include "shared/task_result.h"
+#include "camera.cl"
+#include "sampler.cl"
+#include "traverse.cl"
+#include "ambient.cl"
+#include "reflection.cl"
+
+#define STREAM 32u
+
+float3 load3(__global const float* values, uint index) {
+  return (float3)(values[3 * index], values[3 * index + 1], values[3 * index + 2]);
+}
+
+void store3(__global float* out, float3 v) {
+  out[0] = v.x;
+  out[1] = v.y;
+  out[2] = v.z;
+}
+
+// Shading normal: the vertex normals interpolated, or the geometric normal where a corner has none or they cancel.
+// Never flipped towards the viewer (TinyRender).
+float3 shading_normal(__global const float* normals, __global const uint* triangle_normals, uint triangle, float u,
+                      float v, float3 geometric) {
+  if (!VERTEX_NORMALS) return geometric;
+  uint i0 = triangle_normals[3 * triangle], i1 = triangle_normals[3 * triangle + 1], i2 = triangle_normals[3 * triangle + 2];
+  const uint none = 0xffffffffu;
+  if (i0 == none || i1 == none || i2 == none) return geometric;
+  float3 n = (1.0f - u - v) * load3(normals, i0) + u * load3(normals, i1) + v * load3(normals, i2);
+  float length2 = dot(n, n);
+  return length2 > 1e-12f ? n * rsqrt(length2) : geometric;
+}
+
+// The unit normal of triangle (p0, p1, p2). The edges are scaled first: a triangle of size 1e-15 would underflow.
+float3 triangle_normal(float3 p0, float3 p1, float3 p2) {
+  float3 a = p1 - p0, b = p2 - p0;
+  float3 extent = fmax(fabs(a), fabs(b));
+  float scale = fmax(extent.x, fmax(extent.y, extent.z));
+  float3 n = cross(a / scale, b / scale);
+  return n / sqrt(dot(n, n));
+}
+
+void write_surface_point(__global SurfacePoint* out, __global const float* positions, __global const uint* triangles,
+                         __global const float* normals, __global const uint* triangle_normals, float3 direction,
+                         float distance, uint triangle, float u, float v) {
+  if (triangle == 0xffffffffu) {
+    out->flags = 0;
+    return;
+  }
+  float3 p0 = load3(positions, triangles[3 * triangle]);
+  float3 p1 = load3(positions, triangles[3 * triangle + 1]);
+  float3 p2 = load3(positions, triangles[3 * triangle + 2]);
+  float3 geometric = triangle_normal(p0, p1, p2);
+  float3 normal = shading_normal(normals, triangle_normals, triangle, u, v, geometric);
+  float side = dot(geometric, normal) < 0.0f ? -1.0f : 1.0f;
+  store3(out->origin, offset_origin(p0, p1, p2, u, v, geometric, side));
+  out->flags = SURFACE_HIT;
+  store3(out->normal, normal);
+  out->triangle = triangle;
+  store3(out->view, -direction);
+  out->distance = distance;
+  store3(out->geometric_normal, geometric);
+  out->material = 0xffffffffu;
+}
+
+// Camera samples [task.first_sample, + p.samples) of each task's pixel: one SurfacePoint each.
+__kernel void primary(BVH_PARAMS, __global const float* positions, __global const uint* triangles,
+                      __global const float* normals, __global const uint* triangle_normals, CameraParams camera,
+                      EstimatorParams p, __global const Task* tasks, uint task_count, __global SurfacePoint* points) {
+  uint id = get_global_id(0);
+  if (id >= task_count) return;
+  Task task = tasks[id];
+  uint x = task.pixel % camera.width, y = task.pixel / camera.width;
+  float3 eye = (float3)(camera.eye[0], camera.eye[1], camera.eye[2]);
+  for (uint begin = 0; begin < p.samples; begin += STREAM) {
+    uint count = min(STREAM, p.samples - begin);
+    RayDirections directions;
+    float t[STREAM], u[STREAM], v[STREAM];
+    uint triangle[STREAM];
+    for (uint k = 0; k < count; ++k) {
+      float2 position = sample_pixel(task.pixel, task.first_sample + begin + k, &p);
+      float3 d = camera_direction(&camera, x, y, position);
+      directions.x[k] = d.x;
+      directions.y[k] = d.y;
+      directions.z[k] = d.z;
+      t[k] = INFINITY;
+    }
+    uint active = count == STREAM ? 0xffffffffu : (1u << count) - 1u;
+    closest_from(BVH_ARGS, eye, &directions, active, t, triangle, u, v);
+    for (uint k = 0; k < count; ++k) {
+      float3 d = (float3)(directions.x[k], directions.y[k], directions.z[k]);
+      write_surface_point(points + task.point + begin + k, positions, triangles, normals, triangle_normals, d, t[k],
+                          triangle[k], u[k], v[k]);
+    }
+  }
+}
+
+// One direction at a surface point; returns its weight w with E[w V] the effect's value, 0 if it needs no ray.
+float sample_effect(float2 u, __global const SurfacePoint* point, float exponent, float3* direction) {
+  float3 normal = (float3)(point->normal[0], point->normal[1], point->normal[2]);
+  if (EFFECT == EFFECT_REFLECTION) {
+    float3 view = (float3)(point->view[0], point->view[1], point->view[2]);
+    return reflection_sample(u, normal, view, exponent, direction);
+  }
+  return ambient_sample(u, normal, direction);
+}
+
+// Directions [task.first_direction, + p.directions) at each camera sample of each task, summed into results[task].
+__kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* tasks, uint task_count,
+                        __global const SurfacePoint* points, __global TaskResult* results) {
+  uint id = get_global_id(0);
+  if (id >= task_count) return;
+  Task task = tasks[id];
+  TaskResult result = {0, 0, 0, 0, 0, 0};
+  for (uint s = 0; s < p.samples; ++s) {
+    __global const SurfacePoint* point = points + task.point + s;
+    if (!(point->flags & SURFACE_HIT)) continue;
+    ++result.hits;
+    float3 origin = (float3)(point->origin[0], point->origin[1], point->origin[2]);
+    ulong of_sample = 0;
+    for (uint begin = 0; begin < p.directions; begin += STREAM) {
+      uint count = min(STREAM, p.directions - begin);
+      RayDirections directions;
+      float weight[STREAM];
+      uint active = 0;
+      for (uint k = 0; k < count; ++k) {
+        float3 d;
+        float2 square = sample_direction(task.pixel, task.first_sample + s, task.first_direction + begin + k, &p);
+        float w = sample_effect(square, point, p.exponent, &d);
+        if (!isfinite(w)) {
+          ++result.rejected;
+          w = 0.0f;
+        }
+        weight[k] = w;
+        directions.x[k] = d.x;
+        directions.y[k] = d.y;
+        directions.z[k] = d.z;
+        if (w > 0.0f) active |= 1u << k;
+      }
+      result.rays += popcount(active);
+      uint open = active & ~occluded_from(BVH_ARGS, origin, &directions, active, p.max_distance);
+      for (uint k = 0; k < count; ++k) {
+        if (!(open >> k & 1u)) continue;
+        of_sample += convert_ulong_rte(weight[k] * p.sum_scale);
+        if (REPLICATE_DIRECTIONS) result.sum_square += convert_ulong_rte(weight[k] * weight[k] * p.square_scale);
+      }
+    }
+    result.sum += of_sample;
+    if (!REPLICATE_DIRECTIONS) {
+      float mean = (float)of_sample / (p.sum_scale * (float)p.directions);
+      result.sum_square += convert_ulong_rte(mean * mean * p.square_scale);
+    }
+  }
+  results[id] = result;
+}
