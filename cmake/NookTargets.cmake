@@ -1,3 +1,4 @@
+# nook_add_subdirectories(NAMES...): those that have a CMakeLists.txt.
 # nook_library(NAME SOURCES ... LINK ...): one static library per folder, usable as nook::NAME.
 # nook_embed(TARGET NAMESPACE ROOT FILES...): text files as a constexpr table {path, text}.
 
@@ -10,6 +11,14 @@ if(NOOK_SANITIZE)
   target_compile_options(nook_flags INTERFACE -fsanitize=${NOOK_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
   target_link_options(nook_flags INTERFACE -fsanitize=${NOOK_SANITIZE})
 endif()
+
+function(nook_add_subdirectories)
+  foreach(folder IN LISTS ARGN)
+    if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/CMakeLists.txt)
+      add_subdirectory(${folder})
+    endif()
+  endforeach()
+endfunction()
 
 function(nook_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
