@@ -1,0 +1,48 @@
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "models.hpp"
+#include "obj_writer.hpp"
+
+namespace {
+
+using namespace nook::meshgen;
+
+const std::map<std::string, std::function<Model()>> models = {
+    {"cbox", cornell_box},
+};
+
+int usage() {
+  std::fprintf(stderr, "usage: nook_meshgen FOLDER [MODEL...]   writes FOLDER/MODEL.obj and .mtl; models:");
+  for (const auto& [name, make] : models) std::fprintf(stderr, " %s", name.c_str());
+  std::fprintf(stderr, "\n");
+  return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  if (argc < 2) return usage();
+  const std::filesystem::path folder = argv[1];
+  std::filesystem::create_directories(folder);
+  const auto write = [&](const std::string& name, const std::function<Model()>& make) {
+    const Model model = make();
+    write_obj(model, folder, name);
+    std::printf("%s.obj: %zu triangles\n", (folder / name).string().c_str(), model.triangle_count());
+  };
+  for (int i = 2; i < argc; ++i) {
+    const auto it = models.find(argv[i]);
+    if (it == models.end()) return usage();
+    write(it->first, it->second);
+  }
+  if (argc == 2)
+    for (const auto& [name, make] : models) write(name, make);
+  return 0;
+} catch (const std::exception& e) {
+  std::fprintf(stderr, "nook_meshgen: %s\n", e.what());
+  return 1;
+}
