@@ -1,0 +1,69 @@
+// Counter-based random numbers: pure functions of integers, the same bits on every device and on the host.
+#ifndef NOOK_RANDOM_CL
+#define NOOK_RANDOM_CL
+
+// Hash of four integers to four. Jarzynski and Olano 2020, "Hash Functions for GPU Rendering" (JCGT 9(3)), pcg4d.
+uint4 pcg4d(uint x, uint y, uint z, uint w) {
+  uint4 v;
+  v.x = x * 1664525u + 1013904223u;
+  v.y = y * 1664525u + 1013904223u;
+  v.z = z * 1664525u + 1013904223u;
+  v.w = w * 1664525u + 1013904223u;
+  for (uint round = 0; round < 2u; ++round) {
+    v.x += v.y * v.w;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v.w += v.y * v.z;
+    if (round == 1u) break;
+    v.x ^= v.x >> 16;
+    v.y ^= v.y >> 16;
+    v.z ^= v.z >> 16;
+    v.w ^= v.w >> 16;
+  }
+  return v;
+}
+
+// Hash of one integer. O'Neill 2014 (PCG RXS-M-XS), in the form of Jarzynski and Olano 2020.
+uint pcg(uint x) {
+  uint state = x * 747796405u + 2891336453u;
+  uint word = ((state >> ((state >> 28) + 4u)) ^ state) * 277803737u;
+  return (word >> 22) ^ word;
+}
+
+// Uniform in {0, 2^-24, ..., 1 - 2^-24}. A plain scale by 2^-32 would round up to 1 now and then.
+float uint_to_unit_float(uint bits) { return (float)(bits >> 8) * 0x1p-24f; }
+
+// Uniform integer in [0, n) from 32 random bits: the high word of bits * n. Off by less than n 2^-32 (relative).
+uint uint_below(uint bits, uint n) { return (uint)(((ulong)bits * n) >> 32); }
+
+uint reverse_bits(uint x) {
+  x = (x >> 16) | (x << 16);
+  x = ((x & 0xff00ff00u) >> 8) | ((x & 0x00ff00ffu) << 8);
+  x = ((x & 0xf0f0f0f0u) >> 4) | ((x & 0x0f0f0f0fu) << 4);
+  x = ((x & 0xccccccccu) >> 2) | ((x & 0x33333333u) << 2);
+  return ((x & 0xaaaaaaaau) >> 1) | ((x & 0x55555555u) << 1);
+}
+
+// A random permutation of [0, n) applied to i < n; `key` chooses it. Every image of every i is exactly uniform over
+// keys: the closing rotation makes it so, whatever the rounds before it do.
+// The rounds are bijections of k bits (odd multiple, offset, xor-shift); values >= n walk on along their cycle.
+uint permute(uint i, uint n, uint key) {
+  uint4 h = pcg4d(key, n, 0x7065726du, 0u);
+  uint bits = 0;
+  while ((n - 1u) >> bits > 0u) ++bits;
+  uint mask = (1u << bits) - 1u;
+  uint shift = (bits + 1u) / 2u;
+  if (n > 1u) {
+    do {
+      i = (i * (h.x | 1u) + h.y) & mask;
+      i ^= i >> shift;
+      i = (i * (h.z | 1u) + h.x) & mask;
+      i ^= i >> shift;
+      i = (i * (h.y | 1u) + h.z) & mask;
+      i ^= i >> shift;
+    } while (i >= n);
+  }
+  return (uint)(((ulong)i + uint_below(h.w, n)) % n);
+}
+
+#endif

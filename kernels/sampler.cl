@@ -1,0 +1,118 @@
+// The random numbers of an estimate: pure functions of (pixel, sample, direction, seed), the same for every tiling,
+// order and split of the work. SAMPLER chooses the point set.
+//
+// A pixel has N = total_samples camera samples, and each has D = total_directions directions, numbered i = sample * D +
+// direction. Every point is uniform in [0,1)² over seeds, whatever N and D; powers of two stratify best.
+//   independent  a hash of (pixel, sample, direction, seed): no stratification, the safe choice for statistical tests
+//   stratified   multi-jittered over the N camera samples and, apart, over the N D directions
+//   halton       bases 2 and 3 for direction i, 5 and 7 for camera sample i / D
+//   sobol        dimensions 0 and 1, the best pair, for direction i; 2 and 3 for the camera sample. With D = 1 they make
+//                one point of a 4D net; with D > 1 the directions of a camera sample are an aligned block, so both
+//                each block and the union of blocks are stratified
+//   zorder       the same points, but one sequence for the whole image, dealt to pixels in a scrambled Z-order:
+//                neighbouring pixels continue each other's net and their errors repel (Ahmed and Wonka 2020,
+//                "Screen-Space Blue-Noise Diffusion of Monte Carlo Sampling Error via Hierarchical Ordering of Pixels")
+#ifndef NOOK_SAMPLER_CL
+#define NOOK_SAMPLER_CL
+
+#include "config.h"
+#include "halton.cl"
+#include "random.cl"
+#include "shared/task.h"
+#include "sobol.cl"
+#include "stratified.cl"
+
+// What the hashes are keyed with besides (pixel, seed), so that no two uses share random numbers.
+#define STREAM_SOBOL 0x536f626fu
+#define STREAM_HALTON 0x48616c74u
+#define STREAM_STRATIFIED 0x53747261u
+#define STREAM_ZORDER 0x5a6f7264u
+#define CAMERA_DIRECTION 0xffffffffu  // the direction index that stands for the camera sample itself
+
+// Interleaves the low 16 bits of x and y: x in the even bits.
+uint morton_code(uint x, uint y) {
+  uint code = 0;
+  for (uint bit = 0; bit < 16u; ++bit) code |= (x >> bit & 1u) << 2u * bit | (y >> bit & 1u) << (2u * bit + 1u);
+  return code;
+}
+
+// The first index of the 2^bits indices that belong to `pixel`, bits = ceil(log2 count). Shuffling the children
+// of every quadtree node independently is a nested scramble of the Z-order code. An image with more pixels
+// than indices repeats; *tile then tells the repetitions apart.
+uint zorder_first_index(uint pixel, uint count, uint width, uint seed, uint* tile) {
+  uint code = width > 0u ? morton_code(pixel % width, pixel / width) : pixel;
+  uint bits = 0;
+  while (bits < 32u && (count - 1u) >> bits > 0u) ++bits;
+  *tile = 0u;
+  if (bits == 0u) return reverse_bits(owen_scramble_reversed(reverse_bits(code), pcg(seed ^ STREAM_ZORDER)));
+  if (bits == 32u) {
+    *tile = code;
+    return 0u;
+  }
+  *tile = code >> (32u - bits);
+  uint shuffled = reverse_bits(owen_scramble_reversed(reverse_bits(code << bits), pcg(seed ^ STREAM_ZORDER)));
+  return shuffled >> bits << bits;
+}
+
+// Where camera sample `sample` lies in its pixel, in [0,1)²: the centre if it is the only one.
+float2 sample_pixel(uint pixel, uint sample, const EstimatorParams* p) {
+  float2 u;
+  u.x = 0.5f;
+  u.y = 0.5f;
+  if (p->total_samples == 1u) return u;
+  if (SAMPLER == SAMPLER_INDEPENDENT) {
+    uint4 h = pcg4d(pixel, sample, CAMERA_DIRECTION, p->seed);
+    u.x = uint_to_unit_float(h.x);
+    u.y = uint_to_unit_float(h.y);
+  }
+  if (SAMPLER == SAMPLER_STRATIFIED)
+    u = stratified_point(sample, p->total_samples, pcg4d(pixel, p->seed, STREAM_STRATIFIED, 0u).x);
+  if (SAMPLER == SAMPLER_HALTON) {
+    uint4 key = pcg4d(pixel, p->seed, STREAM_HALTON, 0u);
+    u.x = scrambled_radical_inverse(sample, 5u, 11u, key.z);
+    u.y = scrambled_radical_inverse(sample, 7u, 9u, key.w);
+  }
+  if (SAMPLER == SAMPLER_SOBOL) {
+    uint4 key = pcg4d(pixel, p->seed, STREAM_SOBOL, 0u);
+    u = sobol23(sample, key.z, key.w);
+  }
+  if (SAMPLER == SAMPLER_ZORDER) {
+    uint tile;
+    uint first = zorder_first_index(pixel, p->total_samples, p->width, p->seed, &tile);
+    uint4 key = pcg4d(tile, p->seed, STREAM_ZORDER, 0u);
+    u = sobol23(first + sample, key.z, key.w);
+  }
+  return u;
+}
+
+// The point that direction `direction` of camera sample `sample` is warped from, in [0,1)².
+float2 sample_direction(uint pixel, uint sample, uint direction, const EstimatorParams* p) {
+  uint count = p->total_samples * p->total_directions;
+  uint index = sample * p->total_directions + direction;
+  float2 u;
+  if (SAMPLER == SAMPLER_INDEPENDENT) {
+    uint4 h = pcg4d(pixel, sample, direction, p->seed);
+    u.x = uint_to_unit_float(h.x);
+    u.y = uint_to_unit_float(h.y);
+  }
+  if (SAMPLER == SAMPLER_STRATIFIED)
+    u = stratified_point(index, count, pcg4d(pixel, p->seed, STREAM_STRATIFIED, 1u).x);
+  if (SAMPLER == SAMPLER_HALTON) {
+    uint4 key = pcg4d(pixel, p->seed, STREAM_HALTON, 0u);
+    u.x = scrambled_radical_inverse(index, 2u, 24u, key.x);
+    u.y = scrambled_radical_inverse(index, 3u, 16u, key.y);
+  }
+  if (SAMPLER == SAMPLER_SOBOL) {
+    uint4 key = pcg4d(pixel, p->seed, STREAM_SOBOL, 0u);
+    u = sobol01(index, key.x, key.y);
+  }
+  if (SAMPLER == SAMPLER_ZORDER) {
+    uint tile;
+    uint first = zorder_first_index(pixel, count, p->width, p->seed, &tile);
+    uint4 key = pcg4d(tile, p->seed, STREAM_ZORDER, 0u);
+    u = sobol01(first + index, key.x, key.y);
+  }
+  return u;
+}
+
+#endif
