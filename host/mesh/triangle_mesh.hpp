@@ -39,12 +39,10 @@ struct TriangleMesh {
 
   /// What the loader found and did; `nook info` prints it.
   struct Report {
-    std::uint64_t faces_read = 0;
-    std::uint64_t non_finite_dropped = 0;   ///< triangles with a NaN or infinite vertex
-    std::uint64_t zero_area = 0;            ///< kept: they can never be hit
-    std::uint64_t duplicates = 0;           ///< triangles with the same three positions as an earlier one; kept
-    std::uint64_t normals_replaced = 0;     ///< corners whose normal was missing, zero or not finite
-    std::uint64_t normals_normalised = 0;   ///< normals whose length was not 1
+    std::uint64_t triangles_read = 0;
+    std::uint64_t non_finite_dropped = 0;  ///< triangles with a NaN or infinite vertex
+    std::uint64_t normals_replaced = 0;    ///< corners whose normal was missing, zero or not finite
+    std::uint64_t normals_normalised = 0;  ///< normals whose length was not 1 (within 1e-3)
   } report;
 
   bool empty() const { return triangles.empty(); }

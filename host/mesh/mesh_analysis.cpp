@@ -1,0 +1,56 @@
+#include "mesh/mesh_analysis.hpp"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <algorithm>
+#include <memory>
+#include <unordered_set>
+
+namespace nook {
+namespace {
+
+std::uint64_t position_key(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
+  std::array<std::uint64_t, 3> corners{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const vec3 p = mesh.positions[triangle[k]] + 0.0f;  // -0 and 0 are the same place
+    corners[k] = XXH3_64bits(&p, sizeof p);
+  }
+  std::sort(corners.begin(), corners.end());
+  return XXH3_64bits(corners.data(), sizeof corners);
+}
+
+template <class T>
+void update(XXH3_state_t* state, const std::vector<T>& values) {
+  const std::uint64_t count = values.size();
+  XXH3_128bits_update(state, &count, sizeof count);
+  XXH3_128bits_update(state, values.data(), values.size() * sizeof(T));
+}
+
+}  // namespace
+
+MeshAnalysis analyse(const TriangleMesh& mesh) {
+  MeshAnalysis analysis;
+  std::unordered_set<std::uint64_t> seen;
+  seen.reserve(mesh.triangles.size());
+  for (const auto& triangle : mesh.triangles) {
+    const dvec3 p0(mesh.positions[triangle[0]]), p1(mesh.positions[triangle[1]]), p2(mesh.positions[triangle[2]]);
+    analysis.zero_area += glm::cross(p1 - p0, p2 - p0) == dvec3(0);
+    analysis.duplicates += !seen.insert(position_key(mesh, triangle)).second;
+  }
+  return analysis;
+}
+
+std::string mesh_hash(const TriangleMesh& mesh) {
+  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), XXH3_freeState);
+  XXH3_128bits_reset(state.get());
+  update(state.get(), mesh.positions);
+  update(state.get(), mesh.normals);
+  update(state.get(), mesh.triangles);
+  update(state.get(), mesh.triangle_normals);
+  update(state.get(), mesh.triangle_material);
+  const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
+  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+}
+
+}  // namespace nook
