@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "scene/scene.hpp"
+
+namespace nook {
+
+template <class T>
+using NameTable = std::span<const std::pair<std::string_view, T>>;
+
+// One table per enumeration: scene files, flags, metadata and reports all use these names.
+inline constexpr std::pair<std::string_view, Sampling> sampling_names[] = {{"cosine", Sampling::cosine},
+                                                                           {"hemisphere", Sampling::hemisphere},
+                                                                           {"sphere", Sampling::sphere},
+                                                                           {"lobe", Sampling::lobe},
+                                                                           {"mixture", Sampling::mixture}};
+inline constexpr std::pair<std::string_view, Sampler> sampler_names[] = {{"independent", Sampler::independent},
+                                                                         {"stratified", Sampler::stratified},
+                                                                         {"halton", Sampler::halton},
+                                                                         {"sobol", Sampler::sobol},
+                                                                         {"zorder", Sampler::zorder}};
+inline constexpr std::pair<std::string_view, EffectKind> effect_names[] = {
+    {"ao", EffectKind::ao},         {"ro", EffectKind::ro},             {"ssao", EffectKind::ssao},
+    {"normal", EffectKind::normal}, {"position", EffectKind::position}, {"depth", EffectKind::depth}};
+inline constexpr std::pair<std::string_view, SsaoSettings::Method> ssao_method_names[] = {
+    {"point", SsaoSettings::Method::point}, {"gtao", SsaoSettings::Method::gtao}, {"march", SsaoSettings::Method::march}};
+inline constexpr std::pair<std::string_view, SsaoSettings::Quality> ssao_quality_names[] = {
+    {"draft", SsaoSettings::Quality::draft},
+    {"real-time", SsaoSettings::Quality::real_time},
+    {"accurate", SsaoSettings::Quality::accurate}};
+
+template <class T>
+std::string_view name_of(NameTable<T> table, T value) {
+  for (const auto& [name, entry] : table)
+    if (entry == value) return name;
+  return "?";
+}
+inline std::string_view name_of(Sampling v) { return name_of<Sampling>(sampling_names, v); }
+inline std::string_view name_of(Sampler v) { return name_of<Sampler>(sampler_names, v); }
+inline std::string_view name_of(EffectKind v) { return name_of<EffectKind>(effect_names, v); }
+inline std::string_view name_of(SsaoSettings::Method v) { return name_of<SsaoSettings::Method>(ssao_method_names, v); }
+inline std::string_view name_of(SsaoSettings::Quality v) { return name_of<SsaoSettings::Quality>(ssao_quality_names, v); }
+
+template <class T>
+std::optional<T> value_of(NameTable<T> table, std::string_view name) {
+  for (const auto& [entry, value] : table)
+    if (entry == name) return value;
+  return std::nullopt;
+}
+
+/// The candidate nearest to `word` by edit distance, or "" if none is near (more than half its letters differ).
+std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
+
+/// ", did you mean 'exponent'?", or "".
+std::string suggestion(std::string_view word, std::span<const std::string_view> candidates);
+
+/// "auto", "none" or a number >= 0; nullopt otherwise.
+std::optional<DistanceLimit> parse_distance_limit(const std::string& text);
+std::string to_string(const DistanceLimit& limit);
+
+}  // namespace nook
