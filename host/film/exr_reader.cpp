@@ -1,0 +1,81 @@
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <ImfStdIO.h>
+#include <ImfStringAttribute.h>
+#include <ImfVersion.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "film/exr.hpp"
+#include "film/exr_header.hpp"
+
+namespace nook {
+
+namespace {
+
+Imf::Header read_header(const std::filesystem::path& path, int version) {
+  Imf::StdIFStream stream(path.c_str());
+  stream.seekg(8);  // the magic number and the version
+  Imf::Header header;
+  header.readFrom(stream, version);
+  header.sanityCheck(Imf::isTiled(version));
+  return header;
+}
+
+Image read_checked(const std::filesystem::path& path) {
+  const int version = check_exr_layout(path);
+  check_exr_size(path, read_header(path, version));
+
+  Imf::InputFile file(path.c_str());
+  const Imath::Box2i& window = file.header().dataWindow();
+  Image image;
+  image.width = window.max.x - window.min.x + 1;
+  image.height = window.max.y - window.min.y + 1;
+  const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+
+  const Imf::ChannelList& channels = file.header().channels();
+  for (auto i = channels.begin(); i != channels.end(); ++i) {
+    Channel& channel = image.channels.emplace_back();
+    channel.name = i.name();
+    if (i.channel().type == Imf::UINT)
+      channel.values = std::vector<std::uint32_t>(pixels);
+    else
+      channel.values = std::vector<float>(pixels);
+  }
+  Imf::FrameBuffer frame;
+  for (Channel& channel : image.channels) {
+    const bool integer = std::holds_alternative<std::vector<std::uint32_t>>(channel.values);
+    void* data = std::visit([](auto& values) { return static_cast<void*>(values.data()); }, channel.values);
+    frame.insert(channel.name, Imf::Slice::Make(integer ? Imf::UINT : Imf::FLOAT, data, window));
+  }
+  file.setFrameBuffer(frame);
+  file.readPixels(window.min.y, window.max.y);
+
+  for (auto i = file.header().begin(); i != file.header().end(); ++i)
+    if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&i.attribute()))
+      image.metadata.emplace(i.name(), text->value());
+  return image;
+}
+
+}  // namespace
+
+Image read_exr(const std::filesystem::path& path) {
+  try {
+    return read_checked(path);
+  } catch (const Error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw Error(ExitCode::scene,
+                fmt::format("cannot read {}: not enough memory for its pixels", path.string()));
+  } catch (const std::exception& error) {
+    std::string reason = error.what();
+    std::replace(reason.begin(), reason.end(), '\n', ' ');
+    throw Error(ExitCode::scene, fmt::format("cannot read {}: {}", path.string(), reason));
+  }
+}
+
+}  // namespace nook

@@ -1,0 +1,118 @@
+#include "film/png.hpp"
+
+#include <fmt/format.h>
+#include <png.h>
+
+#include <algorithm>
+#include <csetjmp>
+#include <exception>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/pending_file.hpp"
+#include "film/srgb.hpp"
+
+namespace nook {
+
+namespace {
+
+struct Planes {
+  const float* rgb[3];
+  int width, height;
+  bool gray;
+};
+
+/// Where libpng writes. A C++ exception must not cross libpng's frames: it waits here while libpng jumps out.
+struct Sink {
+  PendingFile& file;
+  std::exception_ptr failure;
+  std::string message;
+};
+
+void on_write(png_structp png, png_bytep bytes, png_size_t count) {
+  Sink* sink = static_cast<Sink*>(png_get_io_ptr(png));
+  try {
+    sink->file.write(bytes, count);
+  } catch (...) {
+    sink->failure = std::current_exception();
+  }
+  if (sink->failure) png_error(png, "write failed");
+}
+
+void on_flush(png_structp) {}
+
+void on_error(png_structp png, png_const_charp message) {
+  Sink* sink = static_cast<Sink*>(png_get_error_ptr(png));
+  sink->message = message;
+  png_longjmp(png, 1);
+}
+
+void on_warning(png_structp, png_const_charp) {}
+
+void encode_row(const Planes& planes, int y, std::uint8_t* row) {
+  const std::size_t begin = static_cast<std::size_t>(y) * static_cast<std::size_t>(planes.width);
+  const int count = planes.gray ? 1 : 3;
+  for (int c = 0; c < count; ++c) {
+    const float* values = planes.rgb[c] + begin;
+    for (int x = 0; x < planes.width; ++x) row[x * count + c] = srgb_byte(values[x]);
+  }
+}
+
+/// Nothing with a destructor lives in this frame, since longjmp would skip it. False: the sink knows why.
+bool encode(png_structp png, png_infop info, const Planes& planes, std::uint8_t* row) {
+  if (setjmp(png_jmpbuf(png))) return false;
+  png_set_IHDR(png, info, static_cast<png_uint_32>(planes.width), static_cast<png_uint_32>(planes.height), 8,
+               planes.gray ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_RELATIVE);
+  // A preview: the noise of an estimate barely compresses, and higher levels cost several times as much.
+  png_set_compression_level(png, 3);
+  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+  png_write_info(png, info);
+  for (int y = 0; y < planes.height; ++y) {
+    encode_row(planes, y, row);
+    png_write_row(png, row);
+  }
+  png_write_end(png, info);
+  return true;
+}
+
+const float* plane(const Image& image, const char* name) {
+  const Channel* channel = image.find(name);
+  const auto* values = channel ? std::get_if<std::vector<float>>(&channel->values) : nullptr;
+  const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  if (!values || values->size() != pixels || pixels == 0)
+    throw Error(ExitCode::internal, fmt::format("write_png: the image has no channel {} of its size", name));
+  return values->data();
+}
+
+bool equal(const float* a, const float* b, std::size_t count) {
+  return std::equal(a, a + count, b, [](float x, float y) { return srgb_byte(x) == srgb_byte(y); });
+}
+
+}  // namespace
+
+void write_png(const std::filesystem::path& path, const Image& image) {
+  Planes planes{{plane(image, "R"), plane(image, "G"), plane(image, "B")}, image.width, image.height, false};
+  const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  planes.gray = equal(planes.rgb[0], planes.rgb[1], pixels) && equal(planes.rgb[0], planes.rgb[2], pixels);
+  std::vector<std::uint8_t> row(static_cast<std::size_t>(image.width) * 3);
+
+  PendingFile file(path);
+  Sink sink{file, nullptr, {}};
+  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &sink, on_error, on_warning);
+  png_infop info = png ? png_create_info_struct(png) : nullptr;
+  bool complete = false;
+  if (info) {
+    png_set_write_fn(png, &sink, on_write, on_flush);
+    complete = encode(png, info, planes, row.data());
+  }
+  png_destroy_write_struct(&png, &info);
+  if (sink.failure) std::rethrow_exception(sink.failure);
+  if (!complete)
+    throw Error(ExitCode::output, fmt::format("cannot write {}: {}", path.string(),
+                                              sink.message.empty() ? "not enough memory" : sink.message));
+  file.commit();
+}
+
+}  // namespace nook

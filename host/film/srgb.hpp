@@ -1,0 +1,11 @@
+#pragma once
+
+#include <cstdint>
+
+namespace nook {
+
+/// A linear value in [0,1] as an 8-bit sRGB code, IEC 61966-2-1, rounded to the nearest code. Values outside
+/// are clamped, NaN is 0.
+std::uint8_t srgb_byte(float linear);
+
+}  // namespace nook

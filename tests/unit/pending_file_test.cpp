@@ -1,0 +1,87 @@
+#include "base/pending_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "expect_error.hpp"
+#include "file_size_limit.hpp"
+#include "temporary_folder.hpp"
+
+namespace nook {
+namespace {
+
+using test::expect_error;
+using test::read_bytes;
+using test::write_bytes;
+namespace fs = std::filesystem;
+
+void write(const fs::path& path, const std::string& text) {
+  PendingFile file(path);
+  file.write(text.data(), text.size());
+  file.commit();
+}
+
+TEST(PendingFile, AppearsWhenCommitted) {
+  test::TemporaryFolder folder;
+  PendingFile file(folder / "a");
+  file.write("hello", 5);
+  EXPECT_FALSE(fs::exists(folder / "a"));
+  file.seek(0);
+  file.write("J", 1);
+  file.commit();
+  EXPECT_EQ(read_bytes(folder / "a"), "Jello");
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(PendingFile, LeavesTheOldFileWhenAbandoned) {
+  test::TemporaryFolder folder;
+  write_bytes(folder / "a", "old");
+  {
+    PendingFile file(folder / "a");
+    file.write("new", 3);
+  }
+  EXPECT_EQ(read_bytes(folder / "a"), "old");
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(PendingFile, FullDiskIsOneLineAndLeavesNothing) {
+  test::TemporaryFolder folder;
+  const std::string text(100'000, 'x');
+  {
+    test::FileSizeLimit limit(1000);
+    expect_error(ExitCode::output, (folder / "a").string() + ": File too large",
+                 [&] { write(folder / "a", text); });
+  }
+  EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(PendingFile, ReplacesTheTargetOfALink) {
+  test::TemporaryFolder folder;
+  write_bytes(folder / "target", "old");
+  fs::create_symlink("target", folder / "link");
+  write(folder / "link", "new");
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(read_bytes(folder / "target"), "new");
+}
+
+TEST(PendingFile, NamesWhatItCannotWrite) {
+  test::TemporaryFolder folder;
+  const auto fails = [](const fs::path& path, const std::string& reason) {
+    expect_error(ExitCode::output, path.string() + ": " + reason, [&] { PendingFile file(path); });
+  };
+  fails(folder / "missing" / "a", "No such file or directory");
+  fails(folder.path(), "Is a directory");
+  fails("/dev/null", "not a regular file");
+  write_bytes(folder / "file", "");
+  fails(folder / "file" / "a", "Not a directory");
+  fails(folder / std::string(300, 'n'), "File name too long");
+}
+
+TEST(PendingFile, TakesTheLongestNames) {
+  test::TemporaryFolder folder;
+  const std::string name(255, 'n');
+  write(folder / name, "x");
+  EXPECT_EQ(read_bytes(folder / name), "x");
+}
+
+}  // namespace
+}  // namespace nook

@@ -1,0 +1,113 @@
+#include "film/png.hpp"
+
+#include <gtest/gtest.h>
+#include <png.h>
+
+#include <cmath>
+#include <limits>
+
+#include "expect_error.hpp"
+#include "file_size_limit.hpp"
+#include "film/srgb.hpp"
+#include "temporary_folder.hpp"
+
+namespace nook {
+namespace {
+
+using test::expect_error;
+
+struct Decoded {
+  int width = 0, height = 0;
+  bool color = false;
+  std::vector<std::uint8_t> bytes;  ///< RGB
+};
+
+Decoded decode(const std::filesystem::path& path) {
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  EXPECT_TRUE(png_image_begin_read_from_file(&png, path.c_str())) << png.message;
+  Decoded decoded{static_cast<int>(png.width),
+                  static_cast<int>(png.height),
+                  (png.format & PNG_FORMAT_FLAG_COLOR) != 0,
+                  {}};
+  png.format = PNG_FORMAT_RGB;
+  decoded.bytes.resize(PNG_IMAGE_SIZE(png));
+  EXPECT_TRUE(png_image_finish_read(&png, nullptr, decoded.bytes.data(), 0, nullptr)) << png.message;
+  return decoded;
+}
+
+Image rgb_image(int width, int height, std::vector<float> r, std::vector<float> g, std::vector<float> b) {
+  return {width, height, {{"R", std::move(r)}, {"G", std::move(g)}, {"B", std::move(b)}}, {}};
+}
+
+/// The standard's own formula, in double precision.
+int srgb_code(double linear) {
+  const double encoded = linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+  return static_cast<int>(std::floor(encoded * 255 + 0.5));
+}
+
+TEST(Srgb, FollowsTheStandard) {
+  int mismatches = 0;
+  for (int i = 0; i <= 1'000'000; ++i) {
+    const float linear = static_cast<float>(i) * 1e-6f;
+    const int difference = std::abs(srgb_byte(linear) - srgb_code(linear));
+    EXPECT_LE(difference, 1) << linear;
+    mismatches += difference;
+  }
+  // The standard's two branches meet 1e-7 apart; only a value that close to a rounding edge may differ.
+  EXPECT_LE(mismatches, 2);
+}
+
+TEST(Srgb, ClampsAndShowsNaNAsBlack) {
+  const float infinity = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(srgb_byte(-1), 0);
+  EXPECT_EQ(srgb_byte(-infinity), 0);
+  EXPECT_EQ(srgb_byte(std::nanf("")), 0);
+  EXPECT_EQ(srgb_byte(1), 255);
+  EXPECT_EQ(srgb_byte(std::nextafter(1.0f, 0.0f)), 255);
+  EXPECT_EQ(srgb_byte(infinity), 255);
+}
+
+TEST(Png, GrayWhenTheChannelsAreEqual) {
+  test::TemporaryFolder folder;
+  const std::vector<float> values = {0, 0.25f, 0.5f, 1, 2, std::nanf("")};
+  write_png(folder / "a.png", rgb_image(3, 2, values, values, values));
+  const Decoded decoded = decode(folder / "a.png");
+  EXPECT_EQ(decoded.width, 3);
+  EXPECT_EQ(decoded.height, 2);
+  EXPECT_FALSE(decoded.color);
+  for (std::size_t i = 0; i < values.size(); ++i) EXPECT_EQ(decoded.bytes[3 * i], srgb_byte(values[i])) << i;
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(Png, KeepsRowsAndColumnsAndChannelsInOrder) {
+  test::TemporaryFolder folder;
+  write_png(folder / "a.png", rgb_image(2, 2, {1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}));
+  const Decoded decoded = decode(folder / "a.png");
+  EXPECT_TRUE(decoded.color);
+  EXPECT_EQ(decoded.bytes, (std::vector<std::uint8_t>{255, 0, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0}));
+}
+
+TEST(Png, FullDiskIsOneLineAndLeavesNothing) {
+  test::TemporaryFolder folder;
+  std::vector<float> values(100 * 100);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(i * 7919 % 10007) / 10007;
+  const Image image = rgb_image(100, 100, values, values, values);
+  for (rlim_t bytes : {0, 20, 1000}) {
+    test::FileSizeLimit limit(bytes);
+    expect_error(ExitCode::output, (folder / "a.png").string() + ": File too large",
+                 [&] { write_png(folder / "a.png", image); });
+  }
+  EXPECT_EQ(folder.entries(), 0);
+}
+
+TEST(Png, RefusesAnImageWithoutColours) {
+  test::TemporaryFolder folder;
+  expect_error(ExitCode::internal, "no channel G", [&] {
+    write_png(folder / "a.png", {1, 1, {{"R", std::vector<float>(1)}}, {}});
+  });
+  EXPECT_EQ(folder.entries(), 0);
+}
+
+}  // namespace
+}  // namespace nook
