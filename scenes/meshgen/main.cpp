@@ -14,6 +14,7 @@ using namespace nook::meshgen;
 
 const std::map<std::string, std::function<Model()>> models = {
     {"cbox", cornell_box},
+    {"spaceship", spaceship},
 };
 
 int usage() {
