@@ -54,4 +54,9 @@
 #define VERTEX_NORMALS 0
 #endif
 
+// 1: one ray at a time, for GPUs; 0: streams of rays over vectors of boxes and triangles, for CPUs. The same bits.
+#ifndef TRAVERSAL_SCALAR
+#define TRAVERSAL_SCALAR 0
+#endif
+
 #endif

@@ -13,10 +13,15 @@ struct BvhOptions {
   unsigned threads = 0;  ///< 0: all
 };
 
+// The kernels' layout: no padding anywhere.
+static_assert(sizeof(BvhNode) == 7 * BVH_WIDTH * 4 && offsetof(BvhNode, hi) == 3 * BVH_WIDTH * 4 &&
+              offsetof(BvhNode, child) == 6 * BVH_WIDTH * 4);
+static_assert(sizeof(TriangleLeaf) == 10 * BVH_WIDTH * 4 && offsetof(TriangleLeaf, triangle) == 9 * BVH_WIDTH * 4);
+
 /// A wide bounding volume hierarchy, flattened into the structs of kernels/shared/bvh.h, ready to upload.
 struct Bvh {
-  std::vector<BvhNode> nodes;           ///< nodes[0] is the root; empty if the mesh has no triangles
-  std::vector<TriangleLeaf> leaves;
+  std::vector<BvhNode> nodes;        ///< nodes[0] is the root; without triangles it has no children
+  std::vector<TriangleLeaf> leaves;  ///< never empty, since a buffer cannot be
   struct Statistics {
     double build_seconds = 0;
     double collapse_seconds = 0;

@@ -1,0 +1,40 @@
+// The bounding volume hierarchy as the kernels read it: wide nodes and leaves, both as structures of arrays, so that
+// one vector instruction tests a ray against a whole node or leaf.
+#ifndef NOOK_SHARED_BVH_H
+#define NOOK_SHARED_BVH_H
+
+#include "portable.h"
+
+#define BVH_WIDTH 16   // children of a node, and triangles of a leaf
+#define BVH_LEAF 0x80000000u   // in BvhNode.child: the rest is an index into the leaves, not the nodes
+#define BVH_EMPTY 0xffffffffu  // no child: its box is (+inf, -inf), which no ray meets
+#define BVH_MAX_DEPTH 33       // levels of nodes that the builder may make
+// A popped node pushes BVH_WIDTH children at most, so each level keeps BVH_WIDTH - 1 entries waiting.
+#define BVH_STACK_SIZE (BVH_MAX_DEPTH * (BVH_WIDTH - 1) + 1)
+
+// Read as:
+//   for axis, lane: enter = ((d[axis] < 0 ? hi : lo)[axis][lane] - origin[axis]) / d[axis] ...
+//   if (child[lane] & BVH_LEAF) visit leaves[child[lane] & ~BVH_LEAF] else visit nodes[child[lane]]
+// The boxes contain their triangles strictly (grown by one ulp). Filled slots come first; among them nodes precede
+// leaves, each by rising area: pushed in this order, the stack pops the leaves first, then the largest nodes.
+typedef struct {
+  float lo[3][BVH_WIDTH];  // world units
+  float hi[3][BVH_WIDTH];
+  nook_uint child[BVH_WIDTH];
+} BvhNode;
+
+// Read as:
+//   for lane: intersect the triangle (p[0][.][lane], p[1][.][lane], p[2][.][lane]), which is mesh triangle[lane]
+// Unused lanes hold the point 0 three times, which no ray meets, and triangle BVH_EMPTY.
+typedef struct {
+  float p[3][3][BVH_WIDTH];  // [vertex][axis][lane], world units
+  nook_uint triangle[BVH_WIDTH];
+} TriangleLeaf;
+
+#ifdef __OPENCL_C_VERSION__
+// What a kernel passes through to the traversal: its buffers are Bvh::nodes and Bvh::leaves, in this order.
+#define BVH_PARAMS __global const BvhNode *nodes, __global const TriangleLeaf *leaves
+#define BVH_ARGS nodes, leaves
+#endif
+
+#endif

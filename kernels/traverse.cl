@@ -1,0 +1,69 @@
+// Visibility and closest-hit queries against the BVH. Bit k or index k of every array is ray k of a stream of up to 32.
+//
+//   uint occluded_from(BVH_PARAMS, float3 origin, const RayDirections* d, uint active, float max_distance)
+//     bit k, of those in `active`: the open segment origin + t d[k], 0 < t < max_distance, meets a triangle.
+//   uint occluded_rays(BVH_PARAMS, const RayDirections* origins, const RayDirections* d, uint active, float max_distance)
+//     the same for rays with an origin each.
+//   void closest_from(BVH_PARAMS, float3 origin, const RayDirections* d, uint active,
+//                     float* t, uint* triangle, float* u, float* v)
+//     t[k]: on entry the limit, on return the distance of the first hit; triangle[k]: NO_TRIANGLE for a miss;
+//     hit = (1-u-v) p0 + u p1 + v p2. Only the entries in `active` are written.
+//   bool occluded_ray(BVH_PARAMS, float3 o, float3 d, float max_distance)
+//   bool closest_ray(BVH_PARAMS, float3 o, float3 d, float* t, uint* triangle, float* u, float* v)
+//     one ray: the natural form on a GPU.
+//
+// Directions are unit length (distances are in units of |d|); origins are finite. max_distance and t may be INFINITY.
+// All variants compute the same bits; kernels/config.h chooses by speed: TRAVERSAL_SCALAR.
+#ifndef NOOK_TRAVERSE_CL
+#define NOOK_TRAVERSE_CL
+
+#include "config.h"
+#include "shared/bvh.h"
+
+#include "intersect.cl"
+
+typedef struct {
+  float x[32], y[32], z[32];
+} RayDirections;
+
+float3 ray_direction(const RayDirections* d, uint k) { return (float3)(d->x[k], d->y[k], d->z[k]); }
+
+// Index of the lowest set bit; mask != 0.
+uint lowest_bit(uint mask) { return 31u - clz(mask & (0u - mask)); }
+
+#include "traverse_scalar.cl"
+#include "traverse_stream.cl"
+
+uint occluded_from(BVH_PARAMS, float3 origin, const RayDirections* d, uint active, float max_distance) {
+  if (!TRAVERSAL_SCALAR) return stream_occluded_from(BVH_ARGS, origin, d, active, max_distance);
+  uint occluded = 0;
+  for (uint rest = active; rest; rest &= rest - 1) {
+    const uint k = lowest_bit(rest);
+    if (occluded_ray(BVH_ARGS, origin, ray_direction(d, k), max_distance)) occluded |= 1u << k;
+  }
+  return occluded;
+}
+
+uint occluded_rays(BVH_PARAMS, const RayDirections* origins, const RayDirections* d, uint active, float max_distance) {
+  uint occluded = 0;
+  for (uint rest = active; rest; rest &= rest - 1) {
+    const uint k = lowest_bit(rest);
+    const float3 origin = ray_direction(origins, k);
+    if (TRAVERSAL_SCALAR)
+      occluded |= occluded_ray(BVH_ARGS, origin, ray_direction(d, k), max_distance) ? 1u << k : 0u;
+    else
+      occluded |= stream_occluded_from(BVH_ARGS, origin, d, 1u << k, max_distance);
+  }
+  return occluded;
+}
+
+void closest_from(BVH_PARAMS, float3 origin, const RayDirections* d, uint active, float* t, uint* triangle, float* u,
+                  float* v) {
+  for (uint rest = active; rest; rest &= rest - 1) {
+    const uint k = lowest_bit(rest);
+    triangle[k] = NO_TRIANGLE;
+    closest_ray(BVH_ARGS, origin, ray_direction(d, k), &t[k], &triangle[k], &u[k], &v[k]);
+  }
+}
+
+#endif

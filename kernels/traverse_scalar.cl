@@ -1,0 +1,94 @@
+// One ray at a time, a child at a time: the traversal for GPUs, and the plain form that the others are tested against.
+#ifndef NOOK_TRAVERSE_SCALAR_CL
+#define NOOK_TRAVERSE_SCALAR_CL
+
+// Entry distance of the ray into a box, or INFINITY if it meets none of it within [0, limit].
+// inverse = 1/d; the planes are selected by the sign bit, so that -0 and 0 differ as their inverses do.
+float enter_box(__global const BvhNode* node, uint lane, float3 o, float3 inverse, float limit) {
+  const bool nx = signbit(inverse.x), ny = signbit(inverse.y), nz = signbit(inverse.z);
+  float enter = 0.0f, leave = limit;
+  enter = max_or_second(((nx ? node->hi[0][lane] : node->lo[0][lane]) - o.x) * inverse.x, enter);
+  leave = min_or_second(((nx ? node->lo[0][lane] : node->hi[0][lane]) - o.x) * inverse.x, leave);
+  enter = max_or_second(((ny ? node->hi[1][lane] : node->lo[1][lane]) - o.y) * inverse.y, enter);
+  leave = min_or_second(((ny ? node->lo[1][lane] : node->hi[1][lane]) - o.y) * inverse.y, leave);
+  enter = max_or_second(((nz ? node->hi[2][lane] : node->lo[2][lane]) - o.z) * inverse.z, enter);
+  leave = min_or_second(((nz ? node->lo[2][lane] : node->hi[2][lane]) - o.z) * inverse.z, leave);
+  return enter <= leave * FAR_PLANE_GROWTH ? enter : INFINITY;
+}
+
+OrientedTriangle oriented_lane(__global const TriangleLeaf* leaf, uint lane, float3 o) {
+  return orient_triangle(o, (float3)(leaf->p[0][0][lane], leaf->p[0][1][lane], leaf->p[0][2][lane]),
+                         (float3)(leaf->p[1][0][lane], leaf->p[1][1][lane], leaf->p[1][2][lane]),
+                         (float3)(leaf->p[2][0][lane], leaf->p[2][1][lane], leaf->p[2][2][lane]));
+}
+
+bool occluded_ray(BVH_PARAMS, float3 o, float3 d, float max_distance) {
+  const float3 inverse = 1.0f / d;
+  const float inverse_limit = 1.0f / max_distance;
+  uint stack[BVH_STACK_SIZE];
+  uint size = 1;
+  stack[0] = 0;
+  while (size > 0) {
+    const uint item = stack[--size];
+    if (item & BVH_LEAF) {
+      __global const TriangleLeaf* leaf = &leaves[item & ~BVH_LEAF];
+      for (uint lane = 0; lane < BVH_WIDTH && leaf->triangle[lane] != NO_TRIANGLE; ++lane) {
+        const OrientedTriangle f = oriented_lane(leaf, lane, o);
+        if (triangle_occludes(&f, d, inverse_limit)) return true;
+      }
+    } else {
+      __global const BvhNode* node = &nodes[item];
+      for (uint lane = 0; lane < BVH_WIDTH && node->child[lane] != BVH_EMPTY; ++lane)
+        if (enter_box(node, lane, o, inverse, max_distance) < INFINITY) stack[size++] = node->child[lane];
+    }
+  }
+  return false;
+}
+
+// The nearest of equally near triangles is the one of the lowest index, whatever the order of the visit.
+bool closest_ray(BVH_PARAMS, float3 o, float3 d, float* t, uint* triangle, float* u, float* v) {
+  const float3 inverse = 1.0f / d;
+  uint stack[BVH_STACK_SIZE];
+  float entry[BVH_STACK_SIZE];
+  uint size = 1;
+  uint found = NO_TRIANGLE;
+  stack[0] = 0;
+  entry[0] = 0.0f;
+  while (size > 0) {
+    const uint item = stack[--size];
+    if (entry[size] > *t * FAR_PLANE_GROWTH) continue;
+    if (item & BVH_LEAF) {
+      __global const TriangleLeaf* leaf = &leaves[item & ~BVH_LEAF];
+      for (uint lane = 0; lane < BVH_WIDTH && leaf->triangle[lane] != NO_TRIANGLE; ++lane) {
+        const OrientedTriangle f = oriented_lane(leaf, lane, o);
+        float distance = nextafter(*t, INFINITY);
+        float hit_u, hit_v;
+        if (!triangle_nearer(&f, d, &distance, &hit_u, &hit_v)) continue;
+        if (distance == *t && (found == NO_TRIANGLE || leaf->triangle[lane] > found)) continue;
+        found = leaf->triangle[lane];
+        *t = distance;
+        *u = hit_u;
+        *v = hit_v;
+      }
+    } else {
+      __global const BvhNode* node = &nodes[item];
+      const uint first = size;
+      for (uint lane = 0; lane < BVH_WIDTH && node->child[lane] != BVH_EMPTY; ++lane) {
+        const float enter = enter_box(node, lane, o, inverse, *t);
+        if (!(enter < INFINITY)) continue;
+        // Insertion keeps the nearest child on top.
+        uint place = size++;
+        for (; place > first && entry[place - 1] < enter; --place) {
+          stack[place] = stack[place - 1];
+          entry[place] = entry[place - 1];
+        }
+        stack[place] = node->child[lane];
+        entry[place] = enter;
+      }
+    }
+  }
+  *triangle = found;
+  return found != NO_TRIANGLE;
+}
+
+#endif

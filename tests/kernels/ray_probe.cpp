@@ -1,0 +1,106 @@
+#include "ray_probe.hpp"
+
+#include "device/kernel_source.hpp"
+
+namespace nook::testing {
+namespace {
+
+const char* const source = R"(
+#include "traverse.cl"
+
+float3 load_direction(__global const float* stream, uint k) {
+  return (float3)(stream[3 + 3 * k], stream[4 + 3 * k], stream[5 + 3 * k]);
+}
+
+void load_stream(__global const float* stream, RayDirections* origins, RayDirections* directions) {
+  for (uint k = 0; k < 32; ++k) {
+    const float3 d = load_direction(stream, k);
+    origins->x[k] = stream[0], origins->y[k] = stream[1], origins->z[k] = stream[2];
+    directions->x[k] = d.x, directions->y[k] = d.y, directions->z[k] = d.z;
+  }
+}
+
+__kernel void probe_occluded(BVH_PARAMS, __global const float* streams, float max_distance, __global uint* bits) {
+  const uint i = get_global_id(0);
+  RayDirections o, d;
+  load_stream(streams + 99 * i, &o, &d);
+  bits[i] = occluded_from(BVH_ARGS, ray_direction(&o, 0), &d, 0xffffffffu, max_distance);
+}
+
+__kernel void probe_occluded_own(BVH_PARAMS, __global const float* streams, float max_distance, __global uint* bits) {
+  const uint i = get_global_id(0);
+  RayDirections o, d;
+  load_stream(streams + 99 * i, &o, &d);
+  bits[i] = occluded_rays(BVH_ARGS, &o, &d, 0xffffffffu, max_distance);
+}
+
+__kernel void probe_closest(BVH_PARAMS, __global const float* streams, float limit, __global float* hits) {
+  const uint i = get_global_id(0);
+  RayDirections o, d;
+  load_stream(streams + 99 * i, &o, &d);
+  float t[32], u[32], v[32];
+  uint triangle[32];
+  for (uint k = 0; k < 32; ++k) t[k] = limit;
+  closest_from(BVH_ARGS, ray_direction(&o, 0), &d, 0xffffffffu, t, triangle, u, v);
+  for (uint k = 0; k < 32; ++k) {
+    __global float* out = hits + 4 * (32 * i + k);
+    out[0] = t[k];
+    out[1] = u[k];
+    out[2] = v[k];
+    out[3] = as_float(triangle[k]);
+  }
+}
+)";
+
+static_assert(sizeof(RayStream) == 99 * sizeof(float));
+static_assert(sizeof(ClosestHit) == 4 * sizeof(float));
+
+void run(const Device& device, const ClKernel& kernel, const Bvh& bvh, const std::vector<RayStream>& streams,
+         float distance, void* out, std::size_t bytes) {
+  const auto& cl = opencl();
+  const ClBuffer nodes = device.input(bvh.nodes), leaves = device.input(bvh.leaves), rays = device.input(streams);
+  const ClBuffer result = device.buffer(bytes);
+  const cl_mem buffers[] = {nodes.get(), leaves.get(), rays.get(), result.get()};
+  for (cl_uint i = 0; i < 3; ++i)
+    check_opencl(cl.clSetKernelArg(kernel.get(), i, sizeof(cl_mem), &buffers[i]), "clSetKernelArg");
+  check_opencl(cl.clSetKernelArg(kernel.get(), 3, sizeof(float), &distance), "clSetKernelArg");
+  check_opencl(cl.clSetKernelArg(kernel.get(), 4, sizeof(cl_mem), &buffers[3]), "clSetKernelArg");
+  const std::size_t size = streams.size();
+  check_opencl(cl.clEnqueueNDRangeKernel(device.queue(), kernel.get(), 1, nullptr, &size, nullptr, 0, nullptr, nullptr),
+               "clEnqueueNDRangeKernel");
+  check_opencl(cl.clEnqueueReadBuffer(device.queue(), result.get(), CL_TRUE, 0, bytes, out, 0, nullptr, nullptr),
+               "clEnqueueReadBuffer");
+}
+
+}  // namespace
+
+RayProbe::RayProbe(const TriangleMesh& mesh, const BuildOptions& variant)
+    : bvh_(build_bvh(mesh)),
+      device_(select_device("")),
+      program_(build_program(device_, flatten_kernel("ray_probe", source), variant)) {}
+
+std::vector<std::uint32_t> RayProbe::bits(const char* kernel, const std::vector<RayStream>& streams, float max_distance) {
+  std::vector<std::uint32_t> result(streams.size());
+  run(device_, program_.kernel(kernel), bvh_, streams, max_distance, result.data(), result.size() * 4);
+  return result;
+}
+
+std::vector<std::uint32_t> RayProbe::occluded(const std::vector<RayStream>& streams, float max_distance) {
+  return bits("probe_occluded", streams, max_distance);
+}
+
+std::vector<std::uint32_t> RayProbe::occluded_own_origins(const std::vector<RayStream>& streams, float max_distance) {
+  return bits("probe_occluded_own", streams, max_distance);
+}
+
+std::vector<ClosestHit> RayProbe::closest(const std::vector<RayStream>& streams, float limit) {
+  std::vector<ClosestHit> result(streams.size() * 32);
+  run(device_, program_.kernel("probe_closest"), bvh_, streams, limit, result.data(), result.size() * sizeof(ClosestHit));
+  return result;
+}
+
+std::vector<std::pair<std::string, BuildOptions>> traversal_variants() {
+  return {{"stream", BuildOptions()}, {"scalar", BuildOptions().define("TRAVERSAL_SCALAR", 1)}};
+}
+
+}  // namespace nook::testing

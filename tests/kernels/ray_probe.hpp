@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bvh/bvh.hpp"
+#include "device/device.hpp"
+#include "device/program_cache.hpp"
+#include "mesh/triangle_mesh.hpp"
+
+namespace nook::testing {
+
+/// Up to 32 rays that share an origin, as the stream kernels take them.
+struct RayStream {
+  vec3 origin{0};
+  std::array<vec3, 32> direction{};
+};
+
+struct ClosestHit {
+  float t = 0, u = 0, v = 0;
+  std::uint32_t triangle = 0;
+};
+
+/// A mesh on the device, and the traversal's queries as kernels, built with the given options (a variant).
+class RayProbe {
+ public:
+  RayProbe(const TriangleMesh& mesh, const BuildOptions& variant = {});
+
+  /// Bit k of element i: ray k of stream i is occluded.
+  std::vector<std::uint32_t> occluded(const std::vector<RayStream>& streams, float max_distance);
+  /// The same through the query that takes an origin for each ray.
+  std::vector<std::uint32_t> occluded_own_origins(const std::vector<RayStream>& streams, float max_distance);
+  /// 32 hits a stream.
+  std::vector<ClosestHit> closest(const std::vector<RayStream>& streams, float limit);
+  const Bvh& bvh() const { return bvh_; }
+
+ private:
+  std::vector<std::uint32_t> bits(const char* kernel, const std::vector<RayStream>& streams, float max_distance);
+
+  Bvh bvh_;
+  Device device_;
+  BuiltProgram program_;
+};
+
+/// The distinct ways of traversal, by name: every one must give the same answers.
+std::vector<std::pair<std::string, BuildOptions>> traversal_variants();
+
+}  // namespace nook::testing

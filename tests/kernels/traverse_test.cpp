@@ -1,0 +1,279 @@
+// Occlusion and closest hits on PoCL against brute force in double precision, between the variants, and where
+// rounding hurts: edges, vertices, axis-parallel rays, tiny and huge scales.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "ray_probe.hpp"
+
+namespace nook::testing {
+namespace {
+
+const float infinity = std::numeric_limits<float>::infinity();
+
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  float uniform(float lo = 0, float hi = 1) { return lo + (hi - lo) * float(engine_() >> 8) * 0x1p-24f; }
+  std::uint32_t below(std::uint32_t n) { return std::uint32_t((std::uint64_t(engine_()) * n) >> 32); }
+  vec3 in_box(float half) { return {uniform(-half, half), uniform(-half, half), uniform(-half, half)}; }
+  vec3 direction() {
+    for (;;) {
+      const vec3 v = in_box(1);
+      const float l = glm::dot(v, v);
+      if (l > 0.01f && l <= 1) return v / std::sqrt(l);
+    }
+  }
+
+ private:
+  std::mt19937 engine_;
+};
+
+void add_triangle(TriangleMesh& mesh, const vec3& a, const vec3& b, const vec3& c) {
+  const auto n = std::uint32_t(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(), {a, b, c});
+  mesh.triangles.push_back({n, n + 1, n + 2});
+}
+
+TriangleMesh triangle_soup(unsigned count, float size, unsigned seed) {
+  Random random(seed);
+  TriangleMesh mesh;
+  for (unsigned i = 0; i < count; ++i) {
+    const vec3 p = random.in_box(1);
+    add_triangle(mesh, p, p + random.in_box(size), p + random.in_box(size));
+  }
+  return mesh;
+}
+
+/// A closed sphere of 2 * n * 2n triangles (two at each place but the poles) whose vertices are shared.
+TriangleMesh sphere(const vec3& center, float radius, unsigned n) {
+  TriangleMesh mesh;
+  const auto point = [&](unsigned i, unsigned j) {
+    const double theta = M_PI * i / n, phi = M_PI * (j % (2 * n)) / n;
+    return center + radius * vec3(std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi));
+  };
+  std::vector<std::uint32_t> ids((n + 1) * 2 * n);
+  for (unsigned i = 0; i <= n; ++i)
+    for (unsigned j = 0; j < 2 * n; ++j) {
+      const bool pole = i == 0 || i == n;
+      ids[i * 2 * n + j] = pole && j > 0 ? ids[i * 2 * n] : std::uint32_t(mesh.positions.size());
+      if (!pole || j == 0) mesh.positions.push_back(point(i, j));
+    }
+  for (unsigned i = 0; i < n; ++i)
+    for (unsigned j = 0; j < 2 * n; ++j) {
+      const std::uint32_t a = ids[i * 2 * n + j], b = ids[i * 2 * n + (j + 1) % (2 * n)];
+      const std::uint32_t c = ids[(i + 1) * 2 * n + j], d = ids[(i + 1) * 2 * n + (j + 1) % (2 * n)];
+      if (i > 0) mesh.triangles.push_back({a, b, d});
+      if (i + 1 < n) mesh.triangles.push_back({a, d, c});
+    }
+  return mesh;
+}
+
+/// The box [-1,1]^3 of integer planes, each face of n x n squares: its walls lie exactly in node planes.
+TriangleMesh box(unsigned n) {
+  TriangleMesh mesh;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float side : {-1.0f, 1.0f})
+      for (unsigned i = 0; i < n; ++i)
+        for (unsigned j = 0; j < n; ++j) {
+          const auto at = [&](unsigned s, unsigned t) {
+            vec3 p;
+            p[axis] = side;
+            p[(axis + 1) % 3] = -1 + 2 * float(s) / float(n);
+            p[(axis + 2) % 3] = -1 + 2 * float(t) / float(n);
+            return p;
+          };
+          add_triangle(mesh, at(i, j), at(i + 1, j), at(i + 1, j + 1));
+          add_triangle(mesh, at(i, j), at(i + 1, j + 1), at(i, j + 1));
+        }
+  return mesh;
+}
+
+const vec3& corner(const TriangleMesh& mesh, std::size_t triangle, int k) {
+  return mesh.positions[mesh.triangles[triangle][k]];
+}
+
+enum class Truth { miss, hit, too_close_to_call };
+
+/// A ray against one triangle in double precision; `slack`: relative distance to an edge or the limit below which a
+/// float computation may differ.
+Truth exact(const TriangleMesh& mesh, std::size_t i, const dvec3& o, const dvec3& d, double limit, double slack, double* t) {
+  const dvec3 a = dvec3(corner(mesh, i, 0)) - o, b = dvec3(corner(mesh, i, 1)) - o, c = dvec3(corner(mesh, i, 2)) - o;
+  const dvec3 n = glm::cross(b - a, c - a);
+  const double height = glm::dot(a, n), approach = glm::dot(d, n);
+  const double extent = std::max({glm::length(a), glm::length(b), glm::length(c)});
+  const double edge = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
+  const double side = approach < 0 ? -1 : 1;
+  const double least = side * std::min({side * glm::dot(d, glm::cross(b, c)), side * glm::dot(d, glm::cross(c, a)),
+                                        side * glm::dot(d, glm::cross(a, b))});
+  const double inside = side * least, margin = slack * extent * edge;
+  if (inside < -margin) return Truth::miss;
+  *t = height / approach;
+  const double t_margin = slack * extent * (1 + glm::length(n) / std::abs(approach));
+  if (std::abs(approach) < slack * glm::length(n)) return Truth::too_close_to_call;
+  if (*t < -t_margin || *t > limit + t_margin) return Truth::miss;
+  if (inside > margin && *t > t_margin && *t < limit - t_margin) return Truth::hit;
+  return Truth::too_close_to_call;
+}
+
+std::vector<RayStream> random_streams(unsigned count, unsigned seed, float half) {
+  Random random(seed);
+  std::vector<RayStream> streams(count);
+  for (RayStream& s : streams) {
+    s.origin = random.in_box(half);
+    for (vec3& d : s.direction) d = random.direction();
+  }
+  return streams;
+}
+
+/// Directions along axes and in coordinate planes, with zeros of both signs and subnormal components.
+std::vector<RayStream> axis_parallel_streams(unsigned count, unsigned seed) {
+  Random random(seed);
+  const float tiny[] = {0.0f, -0.0f, 1e-40f, -1e-40f, 1e-30f, -1e-30f};
+  std::vector<RayStream> streams(count);
+  for (RayStream& s : streams) {
+    s.origin = {float(random.below(9)) / 4 - 1, float(random.below(9)) / 4 - 1, float(random.below(9)) / 4 - 1};
+    if (random.below(2)) s.origin += random.in_box(0.1f);
+    for (vec3& d : s.direction) {
+      const int axis = int(random.below(3));
+      d[axis] = random.below(2) ? 1.0f : -1.0f;
+      d[(axis + 1) % 3] = tiny[random.below(6)];
+      d[(axis + 2) % 3] = tiny[random.below(6)];
+      if (random.below(3) == 0) {  // in a coordinate plane
+        d[(axis + 1) % 3] = random.below(2) ? 1.0f : -1.0f;
+        d = d / std::sqrt(2.0f);
+      }
+    }
+  }
+  return streams;
+}
+
+struct Case {
+  const char* name;
+  TriangleMesh mesh;
+};
+
+std::vector<Case> cases() {
+  std::vector<Case> result;
+  result.push_back({"soup", triangle_soup(3000, 0.15f, 1)});
+  result.push_back({"slivers", triangle_soup(300, 1.0f, 2)});
+  result.push_back({"sphere", sphere({0, 0, 0}, 0.9f, 24)});
+  result.push_back({"box", box(6)});
+  result.push_back({"one triangle", triangle_soup(1, 1.0f, 3)});
+  return result;
+}
+
+TEST(Traverse, OcclusionMatchesBruteForce) {
+  for (const Case& c : cases())
+    for (const auto& [variant, options] : traversal_variants()) {
+      RayProbe probe(c.mesh, options);
+      for (const float limit : {infinity, 0.3f}) {
+        std::vector<RayStream> streams = random_streams(40, 11, 1.2f);
+        for (const RayStream& s : axis_parallel_streams(20, 12)) streams.push_back(s);
+        const auto bits = probe.occluded(streams, limit);
+        unsigned wrong = 0, decided = 0;
+        for (std::size_t i = 0; i < streams.size(); ++i)
+          for (int k = 0; k < 32; ++k) {
+            Truth truth = Truth::miss;
+            for (std::size_t j = 0; j < c.mesh.triangles.size() && truth != Truth::hit; ++j) {
+              double t;
+              const Truth one = exact(c.mesh, j, streams[i].origin, streams[i].direction[k], limit, 1e-5, &t);
+              if (one != Truth::miss) truth = one;
+            }
+            if (truth == Truth::too_close_to_call) continue;
+            ++decided;
+            wrong += bool(bits[i] >> k & 1) != (truth == Truth::hit);
+          }
+        EXPECT_EQ(wrong, 0u) << c.name << ", " << variant << ", limit " << limit;
+        EXPECT_GT(decided, streams.size() * 32 / 3) << c.name;
+      }
+    }
+}
+
+TEST(Traverse, ClosestMatchesBruteForce) {
+  for (const Case& c : cases())
+    for (const auto& [variant, options] : traversal_variants()) {
+      RayProbe probe(c.mesh, options);
+      const std::vector<RayStream> streams = random_streams(40, 21, 1.2f);
+      const auto hits = probe.closest(streams, infinity);
+      for (std::size_t i = 0; i < streams.size(); ++i)
+        for (int k = 0; k < 32; ++k) {
+          double nearest = infinity, doubtful = infinity;
+          for (std::size_t j = 0; j < c.mesh.triangles.size(); ++j) {
+            double t;
+            const Truth one = exact(c.mesh, j, streams[i].origin, streams[i].direction[k], infinity, 1e-5, &t);
+            if (one == Truth::hit) nearest = std::min(nearest, t);
+            if (one == Truth::too_close_to_call) doubtful = std::min(doubtful, t);
+          }
+          if (doubtful <= nearest) continue;
+          const ClosestHit& hit = hits[32 * i + k];
+          ASSERT_EQ(hit.triangle == 0xffffffffu, nearest == infinity) << c.name << ", " << variant;
+          if (nearest == infinity) continue;
+          ASSERT_NEAR(hit.t, nearest, 1e-4 * nearest + 1e-5) << c.name << ", " << variant;
+          // The barycentric point and the ray's point are one.
+          const vec3 a = corner(c.mesh, hit.triangle, 0), b = corner(c.mesh, hit.triangle, 1);
+          const vec3 e = corner(c.mesh, hit.triangle, 2);
+          const vec3 on_triangle = (1 - hit.u - hit.v) * a + hit.u * b + hit.v * e;
+          const vec3 on_ray = streams[i].origin + hit.t * streams[i].direction[k];
+          ASSERT_LT(glm::length(on_triangle - on_ray), 1e-4f) << c.name << ", " << variant;
+        }
+    }
+}
+
+TEST(Traverse, VariantsAgreeToTheBit) {
+  for (const Case& c : cases()) {
+    std::vector<RayStream> streams = random_streams(2000, 31, 1.2f);
+    for (const RayStream& s : axis_parallel_streams(500, 32)) streams.push_back(s);
+    for (const float limit : {infinity, 0.3f}) {
+      std::vector<std::uint32_t> first;
+      for (const auto& [variant, options] : traversal_variants()) {
+        RayProbe probe(c.mesh, options);
+        const auto bits = probe.occluded(streams, limit);
+        if (first.empty()) first = bits;
+        EXPECT_EQ(first, bits) << c.name << ", " << variant << ", limit " << limit;
+        EXPECT_EQ(first, probe.occluded_own_origins(streams, limit)) << c.name << ", " << variant << ", own origins";
+      }
+    }
+  }
+}
+
+/// From inside a closed mesh every ray must meet it: those aimed at edges and vertices are the ones that leak.
+std::uint64_t leaks(RayProbe& probe, const TriangleMesh& mesh, bool vertices, unsigned seed) {
+  Random random(seed);
+  std::vector<RayStream> streams(20000);
+  for (RayStream& s : streams) {
+    s.origin = random.in_box(0.3f);
+    for (vec3& d : s.direction) {
+      const std::size_t i = random.below(std::uint32_t(mesh.triangles.size()));
+      const float f = vertices ? 0.0f : random.uniform();
+      d = glm::normalize((1 - f) * corner(mesh, i, 0) + f * corner(mesh, i, 1) - s.origin);
+    }
+  }
+  std::uint64_t result = 0;
+  for (const std::uint32_t bits : probe.occluded(streams, infinity)) result += 32 - unsigned(__builtin_popcount(bits));
+  return result;
+}
+
+TEST(Traverse, NoRayLeaksThroughEdgesOrVertices) {
+  for (const auto& [name, mesh] : {Case{"sphere", sphere({0, 0, 0}, 1, 40)}, Case{"box", box(10)}})
+    for (const auto& [variant, options] : traversal_variants()) {
+      RayProbe probe(mesh, options);
+      EXPECT_EQ(leaks(probe, mesh, false, 41), 0u) << name << " edges, " << variant;
+    }
+}
+
+TEST(Traverse, NothingMeetsAnEmptyOrDegenerateMesh) {
+  TriangleMesh points;
+  add_triangle(points, {0, 0, 0}, {0, 0, 0}, {1, 1, 1});
+  for (const TriangleMesh& mesh : {TriangleMesh(), points})
+    for (const auto& [variant, options] : traversal_variants()) {
+      RayProbe probe(mesh, options);
+      for (const std::uint32_t bits : probe.occluded(random_streams(100, 51, 2), infinity)) ASSERT_EQ(bits, 0u) << variant;
+      for (const ClosestHit& hit : probe.closest(random_streams(100, 51, 2), infinity))
+        ASSERT_EQ(hit.triangle, 0xffffffffu) << variant;
+    }
+}
+
+}  // namespace
+}  // namespace nook::testing
