@@ -1,0 +1,17 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace nook {
+
+/// A command's file adds its subcommand and, when the user names it, stores here what to run (the result is the exit code).
+using Command = std::function<int()>;
+
+void add_render_command(CLI::App& app, Command& chosen);
+void add_probe_command(CLI::App& app, Command& chosen);
+void add_info_command(CLI::App& app, Command& chosen);
+void add_devices_command(CLI::App& app, Command& chosen);
+void add_doctor_command(CLI::App& app, Command& chosen);
+
+}  // namespace nook

@@ -1,0 +1,52 @@
+// nook info SCENE: what is in the mesh, and what the scene's numbers resolve to.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/commands.hpp"
+#include "app/scene_options.hpp"
+#include "mesh/mesh_analysis.hpp"
+#include "mesh/obj_loader.hpp"
+#include "render/plan.hpp"
+#include "scene/names.hpp"
+
+namespace nook {
+namespace {
+
+int print_info(const SceneOptions& options) {
+  const Scene scene = options.load();
+  const TriangleMesh mesh = load_obj(scene.mesh_file, {.normals = true, .uvs = false, .materials = true, .groups = true});
+  const MeshAnalysis analysis = analyse(mesh);
+  const vec3 lo = mesh.bounds.lo, hi = mesh.bounds.hi, center = mesh.bounds.center();
+  fmt::print("mesh              {}\n", scene.mesh_file.string());
+  fmt::print("triangles         {}\n", mesh.triangles.size());
+  fmt::print("positions         {}\n", mesh.positions.size());
+  fmt::print("groups, materials {}, {}\n", mesh.groups.size(), mesh.materials.size());
+  fmt::print("bounds            ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})\n", lo.x, lo.y, lo.z, hi.x, hi.y, hi.z);
+  fmt::print("bounding sphere   center ({:g}, {:g}, {:g}), radius {:g}\n", center.x, center.y, center.z, mesh.bounds.bounding_radius());
+  fmt::print("vertex normals    {}\n", mesh.has_normals() ? fmt::format("{} ({} corners without, {} not of unit length)", mesh.normals.size(),
+                                                                         mesh.report.normals_replaced, mesh.report.normals_normalised)
+                                                           : "none: geometric normals are used");
+  fmt::print("zero-area         {}\n", analysis.zero_area);
+  fmt::print("duplicates        {}\n", analysis.duplicates);
+  fmt::print("NaN or infinite   {} triangles dropped\n", mesh.report.non_finite_dropped);
+  for (const Effect& effect : scene.effects) {
+    if (effect.kind != EffectKind::ao && effect.kind != EffectKind::ro) continue;
+    const float limit = resolve_distance(effect, mesh.bounds, scene.compat_tinyrender);
+    fmt::print("distance limit    {} for {} ({})\n", std::isinf(limit) ? "none" : fmt::format("{:g}", limit), name_of(effect.kind),
+               effect.max_distance.kind == DistanceLimit::Kind::automatic && scene.compat_tinyrender ? "compat = tinyrender"
+                                                                                                       : to_string(effect.max_distance));
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<SceneOptions>();
+  CLI::App* command = app.add_subcommand("info", "Describe a scene's mesh and its resolved distance limit");
+  options->add_to(*command);
+  command->callback([options, &chosen] { chosen = [options] { return print_info(*options); }; });
+}
+
+}  // namespace nook

@@ -1,0 +1,116 @@
+#include "app/scene_options.hpp"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <charconv>
+
+#include "base/error.hpp"
+#include "scene/names.hpp"
+#include "scene/scene_toml.hpp"
+
+namespace nook {
+namespace {
+
+template <class T>
+T chosen(const char* flag, const std::string& word, NameTable<T> names) {
+  if (const auto value = value_of(names, word)) return *value;
+  std::vector<std::string_view> known;
+  for (const auto& entry : names) known.push_back(entry.first);
+  throw Error(ExitCode::usage, fmt::format("{}: unknown value '{}', known: {}", flag, word, fmt::join(known, ", ")));
+}
+
+// "800x600"
+std::pair<int, int> parse_size(const std::string& text) {
+  int width = 0, height = 0;
+  const char* end = text.data() + text.size();
+  const auto [x, first] = std::from_chars(text.data(), end, width);
+  const auto [stop, second] = x < end && *x == 'x' ? std::from_chars(x + 1, end, height) : std::from_chars_result{x, std::errc::invalid_argument};
+  if (first != std::errc() || second != std::errc() || stop != end || width < 1 || height < 1 || width > 65535 || height > 65535)
+    throw Error(ExitCode::usage, fmt::format("--size: '{}' is not WIDTHxHEIGHT with 1 to 65535 pixels each", text));
+  return {width, height};
+}
+
+}  // namespace
+
+void SceneOptions::add_to(CLI::App& command) {
+  const CLI::Range count(1, 1 << 26);
+  command.add_option("scene", scene, "Scene file (TOML), or a bare .obj mesh")->required();
+  command.add_option("--spp", spp, "Camera rays a pixel; powers of two are best for sobol")->check(count)->envname("NOOK_SPP");
+  command.add_option("--directions", directions, "Occlusion rays per camera ray")->check(count)->envname("NOOK_DIRECTIONS");
+  command.add_option("--sampling", sampling, "cosine, hemisphere, sphere; for RO also lobe, mixture")->envname("NOOK_SAMPLING");
+  command.add_option("--sampler", sampler, "independent, stratified, halton, sobol, zorder")->envname("NOOK_SAMPLER");
+  command.add_option("--max-distance", max_distance, "auto, none or a distance in world units")->envname("NOOK_MAX_DISTANCE");
+  command.add_option("--exponent", exponent, "RO: Phong exponent, 0 to 1e7")->check(CLI::Range(0.0, 1e7))->envname("NOOK_EXPONENT");
+  command.add_option("--seed", seed, "Seed of all random numbers")->envname("NOOK_SEED");
+  command.add_option("--size", size, "Image size, e.g. 800x600")->envname("NOOK_SIZE");
+  command.add_option("--crop", crop, "Render pixels x0 <= x < x1, y0 <= y < y1 only: x0,x1,y0,y1")->delimiter(',')->expected(4)->envname("NOOK_CROP");
+}
+
+Scene SceneOptions::load() const {
+  Scene loaded = scene.extension() == ".obj" || scene.extension() == ".OBJ" ? scene_of_mesh(scene) : load_scene(scene);
+  if (spp) loaded.spp = *spp;
+  if (directions) loaded.directions = *directions;
+  if (seed) loaded.seed = *seed;
+  if (sampler) loaded.sampler = chosen<Sampler>("--sampler", *sampler, sampler_names);
+  for (Effect& effect : loaded.effects) {
+    if (sampling) effect.sampling = chosen<Sampling>("--sampling", *sampling, sampling_names);
+    if (exponent) effect.exponent = *exponent;
+    if (max_distance) {
+      const auto limit = parse_distance_limit(*max_distance);
+      if (!limit) throw Error(ExitCode::usage, fmt::format("--max-distance: '{}' is not auto, none or a distance of at least 0", *max_distance));
+      effect.max_distance = *limit;
+    }
+    if (effect.kind == EffectKind::ao && (effect.sampling == Sampling::lobe || effect.sampling == Sampling::mixture))
+      throw Error(ExitCode::usage, fmt::format("--sampling: {} needs an RO scene", name_of(effect.sampling)));
+  }
+  if (size) std::tie(loaded.width, loaded.height) = parse_size(*size);
+  if (!crop.empty()) loaded.crop = PixelRect{crop[0], crop[2], crop[1], crop[3]};
+  validate(loaded);
+  return loaded;
+}
+
+void DeviceOptions::add_to(CLI::App& command) {
+  command.add_option("--device", selector, "cpu, gpu, PLATFORM:DEVICE, or a part of a name (see nook devices)")->envname("NOOK_DEVICE");
+  command.add_option("--threads", threads, "Compute units of a CPU device to use; 0: all")->envname("NOOK_THREADS");
+}
+
+Device DeviceOptions::open() const {
+  limit_threads(threads);
+  return Device(select_device(selector));
+}
+
+std::string to_toml(const Scene& s) {
+  auto point = [](const vec3& p) { return fmt::format("[{}, {}, {}]", p.x, p.y, p.z); };
+  auto quoted_limit = [](const DistanceLimit& l) {
+    return l.kind == DistanceLimit::Kind::value ? fmt::format("{}", l.value) : fmt::format("\"{}\"", to_string(l));
+  };
+  std::string out = fmt::format("[input]\nobjfile = \"{}\"\n\n", s.mesh_file.string());
+  if (!s.automatic_camera)
+    out += fmt::format("[camera]\neye = {}\nat = {}\nup = {}\nfov = {}\n\n", point(s.camera.eye), point(s.camera.at), point(s.camera.up), s.camera.fov);
+  out += fmt::format("[film]\nwidth = {}\nheight = {}\n", s.width, s.height);
+  if (s.crop) out += fmt::format("crop = [{}, {}, {}, {}]  # x0, x1, y0, y1\n", s.crop->x0, s.crop->x1, s.crop->y0, s.crop->y1);
+  const Effect& e = s.effects.front();
+  out += fmt::format("\n[renderer]\nrealtime = {}\ntype = \"{}\"\n", s.realtime, name_of(e.kind));
+  if (e.kind == EffectKind::ssao) {
+    out += fmt::format("method = \"{}\"\nradius = {}\nbias = {}\nsamples = {}\nrange_check = {}\n", name_of(e.ssao.method),
+                       e.ssao.radius > 0 ? fmt::format("{}", e.ssao.radius) : "\"auto\"", e.ssao.bias, e.ssao.samples, e.ssao.range_check);
+    if (e.ssao.quality) out += fmt::format("quality = \"{}\"\n", name_of(*e.ssao.quality));
+    return out;
+  }
+  out += fmt::format("spp = {}\ndirections = {}\nsampling_type = \"{}\"\nsampler = \"{}\"\nseed = {}\nmax_distance = {}\n", s.spp,
+                     s.directions, name_of(e.sampling), name_of(s.sampler), s.seed, quoted_limit(e.max_distance));
+  if (e.kind == EffectKind::ro) out += e.exponent_of_material ? "exponent = \"material\"\n" : fmt::format("exponent = {}\n", e.exponent);
+  if (s.compat_tinyrender) out += "compat = \"tinyrender\"\n";
+  return out;
+}
+
+std::string scene_hash(const Scene& scene) {
+  Scene unnamed = scene;
+  unnamed.mesh_file.clear();
+  const std::string text = to_toml(unnamed);
+  const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
+  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+}
+
+}  // namespace nook

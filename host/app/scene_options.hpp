@@ -1,0 +1,44 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "device/device.hpp"
+#include "scene/scene.hpp"
+
+namespace nook {
+
+/// The command-line options that override a scene. Precedence: flag, environment (NOOK_SPP for --spp), scene, default.
+struct SceneOptions {
+  std::filesystem::path scene;
+  std::optional<std::uint32_t> spp, directions, seed;
+  std::optional<std::string> sampling, sampler, max_distance, size;
+  std::optional<float> exponent;
+  std::vector<int> crop;
+
+  /// Adds SCENE and the options to a subcommand.
+  void add_to(CLI::App& command);
+  /// Loads the scene (TOML, or a bare OBJ), applies the overrides, validates. Throws Error(usage) or Error(scene).
+  Scene load() const;
+};
+
+/// --device and --threads.
+struct DeviceOptions {
+  std::string selector;
+  unsigned threads = 0;
+
+  void add_to(CLI::App& command);
+  Device open() const;
+};
+
+/// The scene as TOML, every key with its value: what --print-config prints and the scene hash covers.
+std::string to_toml(const Scene& scene);
+
+/// 128 bits over to_toml() less the file names. 32 hexadecimal digits.
+std::string scene_hash(const Scene& scene);
+
+}  // namespace nook

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace nook {
+
+/// The state of one effect's estimate over a window of pixels: integers alone, so that adding the same samples in any
+/// order, split over any launches, machines or restarts, gives the same bits.
+///
+/// A replicate is what the spread is measured between: the mean over the directions of one camera ray, or (one camera ray a
+/// pixel) one direction.
+struct Film {
+  int width = 0, height = 0;        ///< pixels of the window
+  float sum_scale = 1;              ///< fixed point of `sum`, a power of two
+  float square_scale = 1;           ///< fixed point of `sum_square`, a power of two
+  std::uint32_t per_replicate = 1;  ///< directions in a replicate
+
+  std::vector<std::uint64_t> sum;         ///< Σ w V over all directions
+  std::vector<std::uint64_t> sum_square;  ///< Σ replicate²
+  std::vector<std::uint32_t> replicates;
+  std::vector<std::uint32_t> camera_samples;
+  std::vector<std::uint32_t> hits;  ///< camera samples that hit the mesh
+
+  Film() = default;
+  /// Throws std::bad_alloc.
+  Film(int width, int height, float sum_scale, float square_scale, std::uint32_t per_replicate);
+
+  std::size_t pixels() const { return std::size_t(width) * std::size_t(height); }
+  /// The estimate, 0 without samples.
+  double value(std::size_t pixel) const;
+  /// The variance of value(): the sample variance of the replicates over their number; 0 with fewer than two.
+  double variance(std::size_t pixel) const;
+  /// The share of camera samples that hit the mesh, 0 to 1.
+  double coverage(std::size_t pixel) const;
+};
+
+}  // namespace nook

@@ -1,0 +1,311 @@
+#include "render/path_tracer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "base/error.hpp"
+#include "device/kernel_source.hpp"
+
+namespace nook {
+namespace {
+
+// A launch is bounded by the surface points it holds (64 bytes each, two launches under way) and by its rays, so that
+// progress, time limits and interrupts are seen often; it stays far above the cost of an enqueue (25-80 µs).
+constexpr std::uint64_t points_per_launch = 1u << 19;
+constexpr std::uint64_t rays_per_launch = 1u << 22;
+// One work-item does at most this many camera samples, or directions where those are the replicates.
+constexpr std::uint32_t samples_per_task = 64;
+constexpr std::uint32_t directions_per_task = 4096;
+
+template <class T>
+void set_arg(cl_kernel kernel, cl_uint& index, const T& value) {
+  check_opencl(opencl().clSetKernelArg(kernel, index++, sizeof(T), &value), "cannot set a kernel argument");
+}
+
+void set_arg(cl_kernel kernel, cl_uint& index, const ClBuffer& buffer) {
+  const cl_mem memory = buffer.get();
+  set_arg(kernel, index, memory);
+}
+
+}  // namespace
+
+struct PathTracer::Batch {
+  std::vector<Task> tasks;
+  std::uint32_t samples = 1;           // camera samples in each task
+  std::uint32_t directions = 1;        // directions in each task's camera sample
+  std::uint32_t total_directions = 1;  // of a camera sample in the whole render
+  cl_mem points = nullptr;             // given; otherwise `primary` makes them
+  bool first_directions = true;        // the tasks hold their camera samples' first directions
+};
+
+struct PathTracer::Slot {
+  Batch batch;
+  ClBuffer tasks, points;
+  std::size_t task_capacity = 0, point_capacity = 0;
+  std::vector<ClBuffer> results;
+  std::vector<std::vector<TaskResult>> host_results;
+  bool busy = false;
+};
+
+PathTracer::PathTracer(const Device& device, const Plan& plan, const TriangleMesh& mesh, const Bvh& bvh)
+    : device_(device),
+      plan_(plan),
+      nodes_(device.input(bvh.nodes)),
+      leaves_(device.input(bvh.leaves)),
+      positions_(device.input(mesh.positions)),
+      triangles_(device.input(mesh.triangles)) {
+  if (plan_.vertex_normals) {
+    normals_ = device.input(mesh.normals);
+    triangle_normals_ = device.input(mesh.triangle_normals);
+  } else {
+    normals_ = device.buffer(0, CL_MEM_READ_ONLY);
+    triangle_normals_ = device.buffer(0, CL_MEM_READ_ONLY);
+  }
+  BuildOptions options;
+  options.define("SAMPLER", long(plan_.sampler)).define("VERTEX_NORMALS", plan_.vertex_normals);
+  primary_program_ = build_program(device, kernel_source("render.cl"), options);
+  primary_ = primary_program_.kernel("primary");
+  build_seconds_ = primary_program_.seconds;
+  all_from_cache_ = primary_program_.from_cache;
+  for (const EffectPlan& effect : plan_.effects) effects_.push_back(build_effect(effect));
+}
+
+PathTracer::EffectProgram PathTracer::build_effect(const EffectPlan& effect) {
+  BuildOptions options;
+  options.define("EFFECT", effect.effect.kind == EffectKind::ro)
+      .define("SAMPLING", long(effect.effect.sampling))
+      .define("SAMPLER", long(plan_.sampler))
+      .define("REPLICATE_DIRECTIONS", plan_.replicate_directions);
+  EffectProgram made;
+  made.program = build_program(device_, kernel_source("render.cl"), options);
+  made.occlusion = made.program.kernel("occlusion");
+  build_seconds_ += made.program.seconds;
+  all_from_cache_ = all_from_cache_ && made.program.from_cache;
+  return made;
+}
+
+EstimatorParams PathTracer::params_for(const EffectPlan& effect, const Batch& batch) const {
+  EstimatorParams params{};
+  params.samples = batch.samples;
+  params.directions = batch.directions;
+  params.total_samples = plan_.spp;
+  params.total_directions = batch.total_directions;
+  params.seed = plan_.seed;
+  params.width = batch.points ? 0 : nook_uint(plan_.width);
+  params.max_distance = effect.max_distance;
+  params.exponent = effect.effect.exponent;
+  params.sum_scale = effect.sum_scale;
+  params.square_scale = effect.square_scale;
+  return params;
+}
+
+// One work-item a work-group on CPUs: the streams are the vectors there, and PoCL's work-item loops would split them.
+void PathTracer::launch(cl_kernel kernel, std::size_t count) {
+  const std::size_t local = device_.info().is_cpu() ? 1 : 64;
+  const std::size_t global = (count + local - 1) / local * local;
+  check_opencl(opencl().clEnqueueNDRangeKernel(device_.queue(), kernel, 1, nullptr, &global, &local, 0, nullptr, nullptr),
+               "cannot launch a kernel");
+  ++counters_.launches;
+}
+
+void PathTracer::submit(Slot& slot) {
+  Batch& batch = slot.batch;
+  const auto count = cl_uint(batch.tasks.size());
+  if (slot.task_capacity < count) {
+    slot.task_capacity = count;
+    slot.tasks = device_.buffer(count * sizeof(Task), CL_MEM_READ_ONLY);
+    slot.results.clear();
+    for (std::size_t e = 0; e < effects_.size(); ++e) slot.results.push_back(device_.buffer(count * sizeof(TaskResult)));
+  }
+  check_opencl(opencl().clEnqueueWriteBuffer(device_.queue(), slot.tasks.get(), CL_FALSE, 0, count * sizeof(Task),
+                                             batch.tasks.data(), 0, nullptr, nullptr),
+               "cannot send tasks");
+  cl_mem points = batch.points;
+  if (!points) {
+    const std::size_t needed = std::size_t(count) * batch.samples;
+    if (slot.point_capacity < needed) {
+      slot.point_capacity = needed;
+      slot.points = device_.buffer(needed * sizeof(SurfacePoint));
+    }
+    points = slot.points.get();
+    cl_uint arg = 0;
+    for (const ClBuffer* buffer : {&nodes_, &leaves_, &positions_, &triangles_, &normals_, &triangle_normals_})
+      set_arg(primary_.get(), arg, *buffer);
+    set_arg(primary_.get(), arg, plan_.camera);
+    set_arg(primary_.get(), arg, params_for(EffectPlan{}, batch));
+    set_arg(primary_.get(), arg, slot.tasks);
+    set_arg(primary_.get(), arg, count);
+    set_arg(primary_.get(), arg, points);
+    launch(primary_.get(), count);
+    counters_.camera_rays += needed;
+  }
+  slot.host_results.resize(effects_.size());
+  for (std::size_t e = 0; e < effects_.size(); ++e) {
+    const cl_kernel kernel = effects_[e].occlusion.get();
+    cl_uint arg = 0;
+    set_arg(kernel, arg, nodes_);
+    set_arg(kernel, arg, leaves_);
+    set_arg(kernel, arg, params_for(plan_.effects[e], batch));
+    set_arg(kernel, arg, slot.tasks);
+    set_arg(kernel, arg, count);
+    set_arg(kernel, arg, points);
+    set_arg(kernel, arg, slot.results[e]);
+    launch(kernel, count);
+    slot.host_results[e].resize(count);
+  }
+  check_opencl(opencl().clFlush(device_.queue()), "the device failed");
+  slot.busy = true;
+}
+
+std::size_t PathTracer::film_index(std::uint32_t pixel) const {
+  const std::uint32_t x = pixel % std::uint32_t(plan_.width), y = pixel / std::uint32_t(plan_.width);
+  return std::size_t(y - std::uint32_t(plan_.window.y0)) * std::size_t(plan_.window.width()) + (x - std::uint32_t(plan_.window.x0));
+}
+
+void PathTracer::harvest(Slot& slot, std::span<Film> films) {
+  const Batch& batch = slot.batch;
+  for (std::size_t e = 0; e < effects_.size(); ++e) {
+    auto& results = slot.host_results[e];
+    check_opencl(opencl().clEnqueueReadBuffer(device_.queue(), slot.results[e].get(), CL_TRUE, 0,
+                                              results.size() * sizeof(TaskResult), results.data(), 0, nullptr, nullptr),
+                 "the device failed");
+    Film& film = films[e];
+    for (std::size_t t = 0; t < results.size(); ++t) {
+      const std::size_t i = batch.points ? batch.tasks[t].pixel : film_index(batch.tasks[t].pixel);
+      film.sum[i] += results[t].sum;
+      film.sum_square[i] += results[t].sum_square;
+      film.replicates[i] += plan_.replicate_directions ? batch.samples * batch.directions : batch.samples;
+      if (batch.first_directions) {
+        film.camera_samples[i] += batch.samples;
+        film.hits[i] += results[t].hits;
+      }
+      counters_.occlusion_rays += results[t].rays;
+      counters_.rejected += results[t].rejected;
+    }
+  }
+  slot.busy = false;
+}
+
+// Two launches are under way at any time: the device works on one while the host adds up the other.
+bool PathTracer::run(const NextBatch& next, std::span<Film> films, const Progress& progress) {
+  std::array<Slot, 2> slots;
+  std::uint64_t done = 0;
+  bool more = true, stopped = false;
+  for (std::size_t turn = 0; more || slots[turn % 2].busy || slots[(turn + 1) % 2].busy; ++turn) {
+    Slot& slot = slots[turn % 2];
+    if (slot.busy) {
+      harvest(slot, films);
+      if (slot.batch.first_directions) done += slot.batch.tasks.size() * std::uint64_t(slot.batch.samples);
+      if (progress && !progress(done) && more) {
+        more = false;
+        stopped = true;
+      }
+    }
+    slot.batch.tasks.clear();
+    if (more && (more = next(slot.batch))) submit(slot);
+  }
+  return !stopped;
+}
+
+std::vector<Film> PathTracer::make_films() const {
+  std::vector<Film> films;
+  for (const EffectPlan& effect : plan_.effects)
+    films.emplace_back(plan_.window.width(), plan_.window.height(), effect.sum_scale, effect.square_scale,
+                       plan_.replicate_directions ? 1 : plan_.directions);
+  return films;
+}
+
+bool PathTracer::accumulate(std::span<const std::uint32_t> pixels, SampleRange range, std::span<Film> films,
+                            const Progress& progress) {
+  std::uint32_t sample = range.first, direction = 0;
+  const std::uint32_t end = range.first + range.count;
+  std::size_t pixel = 0;
+  if (pixels.empty() || range.count == 0) return true;
+  const NextBatch next = [&](Batch& batch) {
+    if (sample >= end) return false;
+    batch.samples = std::min(samples_per_task, end - sample);
+    batch.directions = plan_.replicate_directions ? std::min(directions_per_task, plan_.directions - direction) : plan_.directions;
+    batch.total_directions = plan_.directions;
+    batch.first_directions = direction == 0;
+    const std::uint64_t rays_of_task = std::uint64_t(batch.samples) * batch.directions;
+    const std::uint64_t room = std::max<std::uint64_t>(
+        64, std::min(points_per_launch / batch.samples, rays_per_launch / std::max<std::uint64_t>(rays_of_task, 1)));
+    const std::size_t stop = std::min(pixels.size(), pixel + std::size_t(room));
+    for (; pixel < stop; ++pixel)
+      batch.tasks.push_back({pixels[pixel], sample, direction, nook_uint(batch.tasks.size() * batch.samples)});
+    if (pixel == pixels.size()) {
+      pixel = 0;
+      direction += batch.directions;
+      if (direction >= plan_.directions) {
+        direction = 0;
+        sample += batch.samples;
+      }
+    }
+    return true;
+  };
+  return run(next, films, progress);
+}
+
+Film PathTracer::estimate_points(std::span<const SurfacePoint> points, std::size_t effect, std::uint32_t directions,
+                                 const Progress& progress) {
+  const std::vector<SurfacePoint> held(points.begin(), points.end());
+  const ClBuffer buffer = device_.input(held);
+  std::vector<Film> films;
+  for (const EffectPlan& planned : plan_.effects)
+    films.emplace_back(int(points.size()), 1, planned.sum_scale, planned.square_scale, plan_.replicate_directions ? 1 : directions);
+  std::uint32_t direction = 0;
+  std::size_t row = 0;
+  const NextBatch next = [&](Batch& batch) {
+    if (direction >= directions || points.empty()) return false;
+    batch.points = buffer.get();
+    batch.samples = 1;
+    batch.directions = std::min(directions_per_task, directions - direction);
+    batch.total_directions = directions;
+    batch.first_directions = direction == 0;
+    // Tasks of several direction chunks share a launch, so that a single point keeps every thread busy.
+    const std::uint64_t room = std::max<std::uint64_t>(64, rays_per_launch / batch.directions);
+    while (batch.tasks.size() < room && direction < directions &&
+           std::min(directions_per_task, directions - direction) == batch.directions && (direction == 0) == batch.first_directions) {
+      batch.tasks.push_back({nook_uint(row), 0, direction, nook_uint(row)});
+      if (++row == points.size()) {
+        row = 0;
+        direction += batch.directions;
+      }
+    }
+    return true;
+  };
+  run(next, films, progress);
+  return std::move(films[effect]);
+}
+
+std::vector<SurfacePoint> PathTracer::surface_points(std::span<const std::uint32_t> pixels) {
+  std::vector<SurfacePoint> points(pixels.size());
+  std::vector<Task> tasks;
+  const Batch one;
+  EstimatorParams params = params_for(EffectPlan{}, one);
+  params.total_samples = 1;  // the pixel's centre
+  for (std::size_t begin = 0; begin < pixels.size(); begin += points_per_launch) {
+    const std::size_t count = std::min<std::size_t>(points_per_launch, pixels.size() - begin);
+    tasks.clear();
+    for (std::size_t i = 0; i < count; ++i) tasks.push_back({pixels[begin + i], 0, 0, nook_uint(i)});
+    const ClBuffer task_buffer = device_.input(tasks);
+    const ClBuffer out = device_.buffer(count * sizeof(SurfacePoint));
+    cl_uint arg = 0;
+    for (const ClBuffer* buffer : {&nodes_, &leaves_, &positions_, &triangles_, &normals_, &triangle_normals_})
+      set_arg(primary_.get(), arg, *buffer);
+    set_arg(primary_.get(), arg, plan_.camera);
+    set_arg(primary_.get(), arg, params);
+    set_arg(primary_.get(), arg, task_buffer);
+    set_arg(primary_.get(), arg, cl_uint(count));
+    set_arg(primary_.get(), arg, out);
+    launch(primary_.get(), count);
+    check_opencl(opencl().clEnqueueReadBuffer(device_.queue(), out.get(), CL_TRUE, 0, count * sizeof(SurfacePoint),
+                                              points.data() + begin, 0, nullptr, nullptr),
+                 "the device failed");
+    counters_.camera_rays += count;
+  }
+  return points;
+}
+
+}  // namespace nook

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "bvh/bvh.hpp"
+#include "device/device.hpp"
+#include "device/program_cache.hpp"
+#include "film/film.hpp"
+#include "kernels/shared/surface_point.h"
+#include "kernels/shared/task.h"
+#include "kernels/shared/task_result.h"
+#include "render/plan.hpp"
+
+namespace nook {
+
+/// What a render has done so far; the run record's proof of what was simulated.
+struct RenderCounters {
+  std::uint64_t camera_rays = 0;
+  std::uint64_t occlusion_rays = 0;
+  std::uint64_t rejected = 0;  ///< estimates that were not finite: kept out of the film
+  std::uint64_t launches = 0;
+};
+
+/// Camera samples [first, first + count) of a pixel.
+struct SampleRange {
+  std::uint32_t first = 0, count = 0;
+};
+
+/// One scene on one device: uploaded once, its kernels specialised to the plan.
+class PathTracer {
+ public:
+  /// `mesh` and `bvh` must outlive it: where device and host share memory they are used in place.
+  /// Throws Error(device).
+  PathTracer(const Device& device, const Plan& plan, const TriangleMesh& mesh, const Bvh& bvh);
+
+  /// Empty films of the plan's window, one per effect.
+  std::vector<Film> make_films() const;
+
+  /// Called after each launch with the camera samples finished so far in this call; false stops.
+  using Progress = std::function<bool(std::uint64_t camera_samples)>;
+
+  /// Adds the camera samples of `range` of each pixel to `films` (one per effect). `pixels` are y * width + x in the whole image and
+  /// must lie in the plan's window. Returns false if `progress` stopped it: what was finished by then is in the films.
+  bool accumulate(std::span<const std::uint32_t> pixels, SampleRange range, std::span<Film> films,
+                  const Progress& progress = nullptr);
+
+  /// The surface under each pixel's centre.
+  std::vector<SurfacePoint> surface_points(std::span<const std::uint32_t> pixels);
+
+  /// Estimates effect `effect` at given points, `directions` directions each; the row of a point is its random
+  /// numbers' key. Film of points.size() x 1 "pixels".
+  Film estimate_points(std::span<const SurfacePoint> points, std::size_t effect, std::uint32_t directions,
+                       const Progress& progress = nullptr);
+
+  const RenderCounters& counters() const { return counters_; }
+  double build_seconds() const { return build_seconds_; }
+  bool all_from_cache() const { return all_from_cache_; }
+
+ private:
+  struct EffectProgram {
+    BuiltProgram program;
+    ClKernel occlusion;
+  };
+  struct Batch;
+  struct Slot;
+  // Fills the next batch; false when there is none.
+  using NextBatch = std::function<bool(Batch&)>;
+
+  EffectProgram build_effect(const EffectPlan& effect);
+  EstimatorParams params_for(const EffectPlan& effect, const Batch& batch) const;
+  void launch(cl_kernel kernel, std::size_t count);
+  void submit(Slot& slot);
+  void harvest(Slot& slot, std::span<Film> films);
+  bool run(const NextBatch& next, std::span<Film> films, const Progress& progress);
+  std::size_t film_index(std::uint32_t pixel) const;
+
+  const Device& device_;
+  Plan plan_;
+  ClBuffer nodes_, leaves_, positions_, triangles_, normals_, triangle_normals_;
+  BuiltProgram primary_program_;
+  ClKernel primary_;
+  std::vector<EffectProgram> effects_;
+  RenderCounters counters_;
+  double build_seconds_ = 0;
+  bool all_from_cache_ = true;
+};
+
+/// The window's pixels (y * width + x) in Morton order within 32x32 tiles: neighbours in the list are neighbours on the
+/// image, which keeps the tree's nodes in the caches.
+std::vector<std::uint32_t> pixels_in_order(const PixelRect& window, int width);
+
+}  // namespace nook

@@ -1,0 +1,75 @@
+#include "render/picture.hpp"
+
+#include <limits>
+
+#include "base/error.hpp"
+#include "scene/names.hpp"
+
+namespace nook {
+namespace {
+
+template <class Get>
+void add_plane(Image& image, const std::string& name, std::size_t count, Get get) {
+  std::vector<decltype(get(std::size_t()))> values(count);
+  for (std::size_t i = 0; i < count; ++i) values[i] = get(i);
+  image.channels.push_back({name, std::move(values)});
+}
+
+void add_vector(Image& image, const std::string& layer, std::span<const SurfacePoint> surface, vec3 (*get)(const SurfacePoint&)) {
+  static constexpr const char* axes[] = {".X", ".Y", ".Z"};
+  for (int axis = 0; axis < 3; ++axis)
+    add_plane(image, layer + axes[axis], surface.size(), [&](std::size_t i) {
+      return surface[i].flags & SURFACE_HIT ? get(surface[i])[axis] : 0.0f;
+    });
+}
+
+std::string layer_name(const EffectPlan& effect, std::size_t index) {
+  if (!effect.effect.name.empty()) return effect.effect.name + ".";
+  return index == 0 ? "" : std::string(name_of(effect.effect.kind)) + std::to_string(index + 1) + ".";
+}
+
+}  // namespace
+
+AovRequest parse_aovs(const std::vector<std::string>& names) {
+  AovRequest request;
+  static constexpr std::pair<std::string_view, bool AovRequest::*> known[] = {
+      {"normal", &AovRequest::normal},     {"position", &AovRequest::position}, {"depth", &AovRequest::depth},
+      {"variance", &AovRequest::variance}, {"samples", &AovRequest::samples},   {"alpha", &AovRequest::alpha}};
+  for (const std::string& name : names) {
+    const auto member = value_of<bool AovRequest::*>(known, name);
+    if (!member)
+      throw Error(ExitCode::usage, "--aov: unknown channel '" + name + "', known: normal, position, depth, variance, samples, alpha");
+    request.*(*member) = true;
+  }
+  return request;
+}
+
+Image make_picture(const Plan& plan, std::span<const Film> films, const AovRequest& aovs, std::span<const SurfacePoint> surface) {
+  Image image;
+  image.width = plan.window.width();
+  image.height = plan.window.height();
+  for (std::size_t e = 0; e < films.size(); ++e) {
+    const Film& film = films[e];
+    const std::string layer = layer_name(plan.effects[e], e);
+    std::vector<float> value(film.pixels());
+    for (std::size_t i = 0; i < value.size(); ++i) value[i] = float(film.value(i));
+    for (const char* channel : {"R", "G", "B"}) image.channels.push_back({layer + channel, value});
+    if (e == 0 && aovs.alpha) add_plane(image, "A", film.pixels(), [&](std::size_t i) { return float(film.coverage(i)); });
+    const std::string of_effect = layer.empty() ? "AO." : layer;
+    if (aovs.variance) add_plane(image, of_effect + "variance", film.pixels(), [&](std::size_t i) { return float(film.variance(i)); });
+    if (aovs.samples)
+      add_plane(image, of_effect + "samples", film.pixels(), [&](std::size_t i) { return film.replicates[i] * film.per_replicate; });
+  }
+  const vec3 forward(plan.camera.forward[0], plan.camera.forward[1], plan.camera.forward[2]);
+  if (aovs.normal) add_vector(image, "N", surface, [](const SurfacePoint& p) { return vec3(p.normal[0], p.normal[1], p.normal[2]); });
+  if (aovs.position) add_vector(image, "P", surface, [](const SurfacePoint& p) { return vec3(p.origin[0], p.origin[1], p.origin[2]); });
+  if (aovs.depth)
+    add_plane(image, "Z", surface.size(), [&](std::size_t i) {
+      const SurfacePoint& p = surface[i];
+      const vec3 direction(-p.view[0], -p.view[1], -p.view[2]);
+      return p.flags & SURFACE_HIT ? p.distance * glm::dot(direction, forward) : std::numeric_limits<float>::infinity();
+    });
+  return image;
+}
+
+}  // namespace nook

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "film/film.hpp"
+#include "film/image.hpp"
+#include "kernels/shared/surface_point.h"
+#include "render/plan.hpp"
+
+namespace nook {
+
+/// Channels beside the estimate, on request.
+struct AovRequest {
+  bool normal = false;    ///< N.X, N.Y, N.Z: shading normal at the pixel's centre, 0 where nothing is hit
+  bool position = false;  ///< P.X, P.Y, P.Z: world units, at the pixel's centre, 0 where nothing is hit
+  bool depth = false;     ///< Z: distance along the view axis at the pixel's centre, infinity where nothing is hit
+  bool variance = false;  ///< AO.variance: of the pixel's estimate
+  bool samples = false;   ///< AO.samples: occlusion directions drawn
+  bool alpha = false;     ///< A: share of camera rays that hit the mesh
+  bool needs_surface() const { return normal || position || depth; }
+};
+
+/// "normal,position,depth,variance,samples,alpha" in any order. Throws Error(usage).
+AovRequest parse_aovs(const std::vector<std::string>& names);
+
+/// The window's image: R = G = B = the first effect's estimate; a further effect's go to the layer of its name (or "ao2", "ro").
+/// `surface`: one point per pixel of the window, row-major, if aovs.needs_surface().
+Image make_picture(const Plan& plan, std::span<const Film> films, const AovRequest& aovs, std::span<const SurfacePoint> surface);
+
+}  // namespace nook

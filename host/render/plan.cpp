@@ -1,0 +1,110 @@
+#include "render/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "base/error.hpp"
+
+namespace nook {
+namespace {
+
+// The largest weight that kernels/ambient.cl and kernels/reflection.cl can return.
+double weight_bound(const Effect& effect) {
+  const double n = effect.exponent;
+  if (effect.kind == EffectKind::ao)
+    return effect.sampling == Sampling::sphere ? 4 : effect.sampling == Sampling::hemisphere ? 2 : 1;
+  switch (effect.sampling) {
+    case Sampling::cosine:
+      return std::max(1.0, (n + 2) / 2);
+    case Sampling::hemisphere:
+      return n + 2;
+    case Sampling::sphere:
+      return 2 * (n + 2);
+    case Sampling::mixture:
+      return 4;
+    default:
+      return 2;
+  }
+}
+
+void store(float (&out)[3], const dvec3& v) {
+  for (int i = 0; i < 3; ++i) out[i] = float(v[i]);
+}
+
+// A three-quarter view from above, far enough that the bounding sphere fits the narrower side of the film.
+Camera framing_camera(const Scene& scene, const Bounds3& bounds) {
+  Camera camera;
+  const double radius = std::max(double(bounds.bounding_radius()), 1e-30);
+  const double half_fov_y = camera.fov * std::numbers::pi / 360;
+  const double half_fov_x = std::atan(std::tan(half_fov_y) * scene.width / scene.height);
+  const double distance = 1.02 * radius / std::sin(std::min(half_fov_x, half_fov_y));
+  camera.at = bounds.center();
+  camera.eye = vec3(dvec3(camera.at) + distance * glm::normalize(dvec3(0.55, 0.4, 1.0)));
+  camera.up = {0, 1, 0};
+  return camera;
+}
+
+}  // namespace
+
+CameraParams camera_params(const Scene& scene, const Bounds3& bounds) {
+  const Camera camera = scene.automatic_camera ? framing_camera(scene, bounds) : scene.camera;
+  const dvec3 forward = glm::normalize(dvec3(camera.at) - dvec3(camera.eye));
+  const dvec3 right = glm::normalize(glm::cross(forward, dvec3(camera.up)));
+  const double tangent = std::tan(camera.fov * std::numbers::pi / 360);
+  CameraParams params{};
+  store(params.eye, dvec3(camera.eye));
+  store(params.right, right);
+  store(params.up, glm::cross(right, forward));
+  store(params.forward, forward);
+  params.width = nook_uint(scene.width);
+  params.height = nook_uint(scene.height);
+  params.tan_half_fov_y = float(tangent);
+  params.tan_half_fov_x = float(tangent * scene.width / scene.height);
+  return params;
+}
+
+float resolve_distance(const Effect& effect, const Bounds3& bounds, bool compat_tinyrender) {
+  switch (effect.max_distance.kind) {
+    case DistanceLimit::Kind::none:
+      return std::numeric_limits<float>::infinity();
+    case DistanceLimit::Kind::value:
+      return effect.max_distance.value;
+    default:
+      if (effect.kind == EffectKind::ro) return std::numeric_limits<float>::infinity();
+      return compat_tinyrender ? 1.5f : 0.5f * bounds.bounding_radius();
+  }
+}
+
+void choose_scales(EffectPlan& effect) {
+  effect.weight_bound = weight_bound(effect.effect);
+  const int bits = std::max(0, int(std::ceil(std::log2(effect.weight_bound))) - 2);
+  effect.sum_scale = std::ldexp(1.0f, 32 - bits);
+  effect.square_scale = std::ldexp(1.0f, 30 - 2 * bits);
+}
+
+Plan make_plan(const Scene& scene, const TriangleMesh& mesh) {
+  Plan plan;
+  plan.camera = camera_params(scene, mesh.bounds);
+  plan.width = scene.width;
+  plan.height = scene.height;
+  plan.window = scene.crop.value_or(PixelRect{0, 0, scene.width, scene.height});
+  plan.spp = scene.spp;
+  plan.directions = scene.directions;
+  plan.replicate_directions = scene.spp == 1;
+  plan.sampler = scene.sampler;
+  plan.seed = scene.seed;
+  plan.vertex_normals = mesh.has_normals();
+  for (const Effect& effect : scene.effects) {
+    if (effect.kind != EffectKind::ao && effect.kind != EffectKind::ro) continue;
+    EffectPlan planned;
+    planned.effect = effect;
+    planned.max_distance = resolve_distance(effect, mesh.bounds, scene.compat_tinyrender);
+    choose_scales(planned);
+    plan.effects.push_back(planned);
+  }
+  return plan;
+}
+
+}  // namespace nook

@@ -1,0 +1,94 @@
+#include "report/run_record.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/pending_file.hpp"
+#include "base/version.hpp"
+#include "scene/names.hpp"
+
+namespace nook {
+namespace {
+
+std::string distance_text(float distance) { return std::isinf(distance) ? "none" : fmt::format("{}", distance); }
+
+nlohmann::json effect_json(const EffectPlan& effect) {
+  nlohmann::json json = {{"type", name_of(effect.effect.kind)}, {"sampling", name_of(effect.effect.sampling)}};
+  if (std::isinf(effect.max_distance))
+    json["max_distance"] = "none";
+  else
+    json["max_distance"] = effect.max_distance;
+  if (effect.effect.kind == EffectKind::ro) json["exponent"] = effect.effect.exponent;
+  return json;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> RunRecord::metadata() const {
+  std::map<std::string, std::string> m;
+  m["nook/version"] = version;
+  m["nook/build"] = build_description;
+  m["nook/scene_file"] = scene_file;
+  m["nook/scene_hash"] = scene_hash;
+  m["nook/mesh_hash"] = mesh_hash;
+  m["nook/sampler"] = name_of(plan.sampler);
+  m["nook/seed"] = std::to_string(plan.seed);
+  m["nook/spp"] = std::to_string(plan.spp);
+  m["nook/directions"] = std::to_string(plan.directions);
+  for (std::size_t e = 0; e < plan.effects.size(); ++e) {
+    const EffectPlan& effect = plan.effects[e];
+    const std::string prefix = e == 0 ? "nook/" : fmt::format("nook/effect{}/", e + 1);
+    m[prefix + "effect"] = name_of(effect.effect.kind);
+    m[prefix + "sampling"] = name_of(effect.effect.sampling);
+    m[prefix + "max_distance"] = distance_text(effect.max_distance);
+    if (effect.effect.kind == EffectKind::ro) m[prefix + "exponent"] = fmt::format("{}", effect.effect.exponent);
+  }
+  m["nook/device"] = device.name;
+  m["nook/driver"] = device.platform_name + " " + device.driver;
+  m["nook/seconds_load"] = fmt::format("{:.4f}", seconds.load);
+  m["nook/seconds_bvh"] = fmt::format("{:.4f}", seconds.bvh);
+  m["nook/seconds_compile"] = fmt::format("{:.4f}", seconds.compile);
+  m["nook/seconds_render"] = fmt::format("{:.4f}", seconds.render);
+  m["nook/camera_rays"] = std::to_string(counters.camera_rays);
+  m["nook/occlusion_rays"] = std::to_string(counters.occlusion_rays);
+  m["nook/rejected_samples"] = std::to_string(counters.rejected);
+  return m;
+}
+
+void write_stats(const std::filesystem::path& path, const RunRecord& r) {
+  nlohmann::json json = {
+      {"version", version},
+      {"scene", r.scene_file},
+      {"scene_hash", r.scene_hash},
+      {"mesh_hash", r.mesh_hash},
+      {"complete", r.complete},
+      {"width", r.plan.window.width()},
+      {"height", r.plan.window.height()},
+      {"spp", r.plan.spp},
+      {"directions", r.plan.directions},
+      {"sampler", name_of(r.plan.sampler)},
+      {"seed", r.plan.seed},
+      {"device", {{"name", r.device.name}, {"platform", r.device.platform_name}, {"driver", r.device.driver}}},
+      {"triangles", r.triangles},
+      {"bytes_uploaded", r.bytes_uploaded},
+      {"kernels_from_cache", r.kernels_from_cache},
+      {"rays", {{"camera", r.counters.camera_rays}, {"occlusion", r.counters.occlusion_rays}}},
+      {"rejected_samples", r.counters.rejected},
+      {"launches", r.counters.launches},
+      {"seconds",
+       {{"load", r.seconds.load},
+        {"bvh", r.seconds.bvh},
+        {"compile", r.seconds.compile},
+        {"render", r.seconds.render},
+        {"write", r.seconds.write},
+        {"total", r.seconds.total}}}};
+  for (const EffectPlan& effect : r.plan.effects) json["effects"].push_back(effect_json(effect));
+  const std::string text = json.dump(2) + '\n';
+  PendingFile file(path);
+  file.write(text.data(), text.size());
+  file.commit();
+}
+
+}  // namespace nook

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "device/device.hpp"
+#include "mesh/triangle_mesh.hpp"
+#include "render/path_tracer.hpp"
+#include "render/plan.hpp"
+
+namespace nook {
+
+/// Wall-clock seconds of the parts of a run.
+struct RunSeconds {
+  double load = 0, bvh = 0, compile = 0, render = 0, write = 0, total = 0;
+};
+
+/// What a run did: the EXR's metadata and `--stats`.
+struct RunRecord {
+  Plan plan;
+  std::string scene_hash, mesh_hash;
+  std::string scene_file;
+  DeviceInfo device;
+  RunSeconds seconds;
+  RenderCounters counters;
+  std::uint64_t triangles = 0;
+  std::uint64_t bytes_uploaded = 0;
+  bool kernels_from_cache = false;
+  bool complete = true;
+
+  /// "nook/seed" -> "7", ...
+  std::map<std::string, std::string> metadata() const;
+};
+
+/// Writes the record as JSON (temporary name and rename). Throws Error(output).
+void write_stats(const std::filesystem::path& path, const RunRecord& record);
+
+}  // namespace nook
