@@ -9,20 +9,19 @@
 #include "random.cl"
 
 // Scrambled radical inverse of `index` in a prime base, in [0,1). `digits` fixes the resolution: base^digits must fit
-// in 32 bits and should exceed 2^24.
-float scrambled_radical_inverse(uint index, uint base, uint digits, uint seed) {
+// in 32 bits and should exceed 2^24; `scale` is base^-digits (a product is the same on every device, a quotient is not).
+float scrambled_radical_inverse(uint index, uint base, uint digits, float scale, uint seed) {
   uint node = seed;  // identifies the digits so far
-  uint numerator = 0, denominator = 1;
+  uint numerator = 0;
   for (uint k = 0; k < digits; ++k) {
     uint digit = index % base;
     index /= base;
     uint factor_bits = pcg(node), offset_bits = pcg(factor_bits ^ 0x5bf03635u);
     uint factor = 1u + uint_below(factor_bits, base - 1u), offset = uint_below(offset_bits, base);
     numerator = numerator * base + (digit * factor + offset) % base;
-    denominator *= base;
     node = pcg(node + 0x9e3779b9u * (digit + 1u));
   }
-  return fmin((float)numerator / (float)denominator, 0x1.fffffep-1f);
+  return fmin((float)numerator * scale, 0x1.fffffep-1f);
 }
 
 #endif

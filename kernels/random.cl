@@ -44,26 +44,25 @@ uint reverse_bits(uint x) {
   return ((x & 0xaaaaaaaau) >> 1) | ((x & 0x55555555u) << 1);
 }
 
-// A random permutation of [0, n) applied to i < n; `key` chooses it. Every image of every i is exactly uniform over
-// keys: the closing rotation makes it so, whatever the rounds before it do.
-// The rounds are bijections of k bits (odd multiple, offset, xor-shift); values >= n walk on along their cycle.
+// A random permutation of [0, n) applied to i < n; `key` chooses it. Each image is exactly uniform over keys, whatever the
+// rounds do, thanks to the closing rotation.
+// A round is a bijection of k bits (odd multiple, offset, xor-shift); values >= n walk on along their cycle. Twelve rounds:
+// with 8, the images of two elements of 5 still show a dependence of 0.5 %, with 12 none in 200000 keys.
 uint permute(uint i, uint n, uint key) {
-  uint4 h = pcg4d(key, n, 0x7065726du, 0u);
+  if (n <= 1u) return 0u;
   uint bits = 0;
   while ((n - 1u) >> bits > 0u) ++bits;
-  uint mask = (1u << bits) - 1u;
-  uint shift = (bits + 1u) / 2u;
-  if (n > 1u) {
-    do {
-      i = (i * (h.x | 1u) + h.y) & mask;
+  uint mask = 0xffffffffu >> (32u - bits), shift = (bits + 1u) / 2u;
+  uint first = pcg(key ^ 0x7065726du);
+  do {
+    uint h = first;
+    for (uint round = 0; round < 12u; ++round) {
+      h = pcg(h);
+      i = (i * (h >> 16 | 1u) + h) & mask;
       i ^= i >> shift;
-      i = (i * (h.z | 1u) + h.x) & mask;
-      i ^= i >> shift;
-      i = (i * (h.y | 1u) + h.z) & mask;
-      i ^= i >> shift;
-    } while (i >= n);
-  }
-  return (uint)(((ulong)i + uint_below(h.w, n)) % n);
+    }
+  } while (i >= n);
+  return (uint)(((ulong)i + uint_below(pcg(first + 1u), n)) % n);
 }
 
 #endif

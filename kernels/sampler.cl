@@ -69,8 +69,8 @@ float2 sample_pixel(uint pixel, uint sample, const EstimatorParams* p) {
     u = stratified_point(sample, p->total_samples, pcg4d(pixel, p->seed, STREAM_STRATIFIED, 0u).x);
   if (SAMPLER == SAMPLER_HALTON) {
     uint4 key = pcg4d(pixel, p->seed, STREAM_HALTON, 0u);
-    u.x = scrambled_radical_inverse(sample, 5u, 11u, key.z);
-    u.y = scrambled_radical_inverse(sample, 7u, 9u, key.w);
+    u.x = scrambled_radical_inverse(sample, 5u, 11u, 1.0f / 48828125.0f, key.z);
+    u.y = scrambled_radical_inverse(sample, 7u, 9u, 1.0f / 40353607.0f, key.w);
   }
   if (SAMPLER == SAMPLER_SOBOL) {
     uint4 key = pcg4d(pixel, p->seed, STREAM_SOBOL, 0u);
@@ -99,8 +99,8 @@ float2 sample_direction(uint pixel, uint sample, uint direction, const Estimator
     u = stratified_point(index, count, pcg4d(pixel, p->seed, STREAM_STRATIFIED, 1u).x);
   if (SAMPLER == SAMPLER_HALTON) {
     uint4 key = pcg4d(pixel, p->seed, STREAM_HALTON, 0u);
-    u.x = scrambled_radical_inverse(index, 2u, 24u, key.x);
-    u.y = scrambled_radical_inverse(index, 3u, 16u, key.y);
+    u.x = scrambled_radical_inverse(index, 2u, 24u, 0x1p-24f, key.x);
+    u.y = scrambled_radical_inverse(index, 3u, 16u, 1.0f / 43046721.0f, key.y);
   }
   if (SAMPLER == SAMPLER_SOBOL) {
     uint4 key = pcg4d(pixel, p->seed, STREAM_SOBOL, 0u);

@@ -9,9 +9,23 @@
 
 #include "random.cl"
 
+// The largest integer whose square is at most n.
+uint integer_root(uint n) {
+  uint root = 0;
+  for (uint bit = 1u << 15; bit > 0u; bit >>= 1)
+    if ((root | bit) * (root | bit) <= n) root |= bit;
+  return root;
+}
+
+// (cell + jitter) / cells in [0,1), jitter the 24 high bits; in integers, so that it is exact and never rounds up to 1.
+float jittered(uint cell, uint cells, uint bits) {
+  ulong position = ((ulong)cell << 24) + (bits >> 8);
+  return (float)(uint)(position / cells) * 0x1p-24f;
+}
+
 // Point i < n of the set that `key` chooses, in [0,1)².
 float2 stratified_point(uint i, uint n, uint key) {
-  uint columns = max(1u, (uint)(sqrt((float)n) + 0.5f));
+  uint columns = integer_root(n);
   uint rows = (n - 1u) / columns + 1u;
   uint s = permute(i, n, key);
   uint row = s / columns;
@@ -19,10 +33,8 @@ float2 stratified_point(uint i, uint n, uint key) {
   uint sub_column = permute(row, rows, pcg(key ^ 0x02e5be93u) + column);
   uint4 jitter = pcg4d(i, n, key, 0x967a889bu);
   float2 u;
-  u.x = (float)(column * rows + sub_column) + uint_to_unit_float(jitter.x);
-  u.y = (float)s + uint_to_unit_float(jitter.y);
-  u.x = fmin(u.x / ((float)columns * (float)rows), 0x1.fffffep-1f);
-  u.y = fmin(u.y / (float)n, 0x1.fffffep-1f);
+  u.x = jittered(column * rows + sub_column, columns * rows, jitter.x);
+  u.y = jittered(s, n, jitter.y);
   return u;
 }
 
