@@ -14,11 +14,14 @@ using namespace nook::meshgen;
 
 const std::map<std::string, std::function<Model()>> models = {
     {"cbox", cornell_box},
+    {"fence", fence},
     {"spaceship", spaceship},
 };
 
 int usage() {
-  std::fprintf(stderr, "usage: nook_meshgen FOLDER [MODEL...]   writes FOLDER/MODEL.obj and .mtl; models:");
+  std::fprintf(
+      stderr,
+      "usage: nook_meshgen FOLDER [MODEL... | --bunny FILE.obj]   writes FOLDER/MODEL.obj and .mtl; models:");
   for (const auto& [name, make] : models) std::fprintf(stderr, " %s", name.c_str());
   std::fprintf(stderr, "\n");
   return 2;
@@ -36,6 +39,11 @@ int main(int argc, char** argv) try {
     std::printf("%s.obj: %zu triangles\n", (folder / name).string().c_str(), model.triangle_count());
   };
   for (int i = 2; i < argc; ++i) {
+    if (std::string(argv[i]) == "--bunny" && i + 1 < argc) {
+      const std::filesystem::path file = argv[++i];
+      write("bunny", [&] { return bunny_on_plane(file); });
+      continue;
+    }
     const auto it = models.find(argv[i]);
     if (it == models.end()) return usage();
     write(it->first, it->second);

@@ -12,4 +12,10 @@ Model cornell_box();
 /// A landed spaceship before a curved backdrop, posed for the camera of the course's third assignment.
 Model spaceship();
 
+/// Pickets, wires and leaves millimetres thick before shelves: what screen-space methods take for walls.
+Model fence();
+
+/// The bunny of the package glmark2-data, read from its OBJ file, on a plane. Throws std::runtime_error.
+Model bunny_on_plane(const std::filesystem::path& file);
+
 }  // namespace nook::meshgen

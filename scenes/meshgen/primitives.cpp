@@ -62,16 +62,19 @@ Part box(const dvec3& half) {
 }
 
 Part rounded_box(const dvec3& half, double radius, int steps) {
-  // A sphere of the radius, cut at its octants and pulled apart to the corners of the inner box.
+  // A sphere of the radius, cut at its octants and pulled apart to the corners of the inner box; poles fill
+  // bottom and top.
   const dvec3 inner = half - dvec3(radius);
   const int side = steps + 1;
   const auto angle = [&](int k) { return 0.5 * pi * (k % side) / steps; };
-  return grid(2 * side, 4 * side,
+  return grid(2 * side + 2, 4 * side,
               [&](int row, int column) {
-                const double latitude = -0.5 * pi + angle(row) + (row >= side ? 0.5 * pi : 0);
-                const double longitude = angle(column) + 0.5 * pi * (column / side);
+                if (row == 0 || row == 2 * side + 1) return dvec3(0, row == 0 ? -half.y : half.y, 0);
+                const bool upper = row > side;
+                const double latitude = angle(row - 1) - (upper ? 0 : 0.5 * pi);
                 const int quadrant = column / side;
-                const dvec3 corner(quadrant == 0 || quadrant == 3 ? 1 : -1, row >= side ? 1 : -1,
+                const double longitude = angle(column) + 0.5 * pi * quadrant;
+                const dvec3 corner(quadrant == 0 || quadrant == 3 ? 1 : -1, upper ? 1 : -1,
                                    quadrant < 2 ? -1 : 1);
                 const dvec3 n(std::cos(latitude) * std::cos(longitude), std::sin(latitude),
                               -std::cos(latitude) * std::sin(longitude));
