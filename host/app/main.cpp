@@ -1,6 +1,7 @@
 // The command line: one subcommand a file, one catch block.
 #include <fmt/format.h>
 
+#include <csignal>
 #include <cstdio>
 #include <new>
 
@@ -19,6 +20,7 @@ int report(const char* message, nook::ExitCode code) {
 
 int main(int argc, char** argv) {
   using nook::ExitCode;
+  std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error of write(), like a full disk
   CLI::App app("nook: ambient occlusion, reflection occlusion and screen-space ambient occlusion");
   app.set_version_flag("--version", "nook " + std::string(nook::version));
   app.require_subcommand(1);
@@ -27,6 +29,7 @@ int main(int argc, char** argv) {
   nook::add_render_command(app, chosen);
   nook::add_probe_command(app, chosen);
   nook::add_info_command(app, chosen);
+  nook::add_compare_command(app, chosen);
   nook::add_devices_command(app, chosen);
   nook::add_doctor_command(app, chosen);
   try {
