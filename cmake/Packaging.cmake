@@ -1,0 +1,28 @@
+# cmake --install build, and `cpack --config build/CPackConfig.cmake -B build` for a .deb (needs dpkg-dev).
+include(GNUInstallDirs)
+
+install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
+install(DIRECTORY scenes/ DESTINATION ${CMAKE_INSTALL_DATADIR}/nook/scenes
+        FILES_MATCHING PATTERN "*.toml" PATTERN "README.md" PATTERN "*.jpg" PATTERN "*.png"
+        PATTERN meshgen EXCLUDE PATTERN generated EXCLUDE)
+if(NOOK_SCENES)
+  install(DIRECTORY scenes/generated DESTINATION ${CMAKE_INSTALL_DATADIR}/nook/scenes
+          FILES_MATCHING PATTERN "*.obj" PATTERN "*.mtl")
+endif()
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "nook maintainers <nook@example.org>")
+set(CPACK_PACKAGE_DESCRIPTION
+"nook estimates ambient occlusion and reflection occlusion by ray tracing in OpenCL, on a CPU or a GPU, and
+ambient occlusion in screen space by OpenGL without a display. It shows what accuracy costs in time: the
+error of an image can be asked for, measured, and compared.")
+set(CPACK_STRIP_FILES ON)
+set(CPACK_VERBATIM_VARIABLES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# Loaded at run time, so that no link tells: the OpenCL loader, and a device for it.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "ocl-icd-libopencl1 | libopencl1, pocl-opencl-icd | opencl-icd")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "glmark2-data")
+include(CPack)
