@@ -1,0 +1,65 @@
+// Ambient occlusion by marching: N directions, cosine-weighted, so that
+//   AO(x) = 1/pi int V(x, w) cos(theta) dw  ~  1/N sum_i V(x, w_i).
+// Each is followed through the buffer up to the radius in STEPS steps, shorter near x. A step at inverse depth w over the
+// pixel with front layer f and back layer b is inside a solid if b < w < f; f is the value of that pixel's tangent
+// plane at the step's own position, so that a surface never occludes itself however steeply it is seen. Without a back
+// layer (an open sheet) everything behind the front layer is solid.
+// Rules: background pixels are 0 with coverage 0; a ray that leaves the buffer or passes the eye is open.
+in vec2 uv;
+layout(location = 0) out vec4 result;  // AO, inverse depth
+
+uniform float radius;  // world units
+#if LAYERS > 2
+uniform sampler2D surface2;  // the third and fourth layer
+#endif
+
+bool in_solid(vec4 s, float w, vec2 offset) {
+  float front = s.x + dot(s.yz, offset);
+  float back = s.w < s.x * 0.9999 ? s.w : 0.0;
+  return w < front * (1.0 - TOLERANCE) && w > back;
+}
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  ivec2 texel = pixel * STRIDE + guard;
+  vec4 own = texelFetch(surface, texel, 0);
+  if (own.x == 0.0) {
+    result = vec4(0.0);
+    return;
+  }
+  vec3 x = reconstruct(vec2(texel) + 0.5, own.x);
+  mat3 to_view = frame(texelFetch(normals, texel, 0).xyz);
+  vec2 noise = block_noise(pixel);
+  float shift = fract(noise.x + 0.5 * noise.y);
+  vec3 start = vec3(vec2(texel) + 0.5, 1.0) / own.x;
+  float open = 0.0;
+  for (int i = 0; i < DIRECTIONS; ++i) {
+    float u = (float(i) + noise.y) / float(DIRECTIONS);
+    float phi = 2.0 * PI * fract(noise.x + 0.6180339887 * float(i));
+    float s = sqrt(u);
+    vec3 along = homogeneous(to_view * vec3(s * cos(phi), s * sin(phi), sqrt(1.0 - u)));
+    float visible = 1.0;
+    for (int j = 0; j < STEPS; ++j) {
+      float t = (float(j) + shift) / float(STEPS);
+      vec3 h = start + radius * pow(t, STEP_POWER) * along;
+      float w = 1.0 / h.z;
+      vec2 q = h.xy * w;
+      ivec2 at = ivec2(floor(q));
+      if (!(h.z > 0.0) || !inside(at)) break;
+      vec2 offset = q - vec2(at) - 0.5;
+      if (in_solid(texelFetch(surface, at, 0), w, offset)) {
+        visible = 0.0;
+        break;
+      }
+#if LAYERS > 2
+      if (in_solid(texelFetch(surface2, at, 0), w, offset)) {
+        visible = 0.0;
+        break;
+      }
+#endif
+    }
+    open += visible;
+    shift = fract(shift + 0.6180339887);
+  }
+  result = vec4(open / float(DIRECTIONS), own.x, 0.0, 0.0);
+}
