@@ -1,5 +1,4 @@
-#include <cmath>
-
+#include "foliage.hpp"
 #include "models.hpp"
 #include "primitives.hpp"
 
@@ -92,18 +91,7 @@ Model fence() {
       const double turn = 360 * hash01(id, std::uint32_t(100 + i)),
                    lift = 20 + 50 * hash01(id, std::uint32_t(300 + i));
       const double size = 0.030 + 0.020 * hash01(id, std::uint32_t(500 + i));
-      // Both sides, so that a leaf has a front from everywhere: 1.8 mm thick in the middle.
-      const Part leaf = grid(9, 12,
-                             [&](int r, int c) {
-                               const double t = r / 8.0, a = 2 * pi * c / 12,
-                                            w = 0.55 * size * std::sin(pi * std::pow(t, 0.8));
-                               return dvec3(2 * size * t,
-                                            0.0009 * std::sin(a) * std::sin(pi * t) - 0.5 * size * t * t +
-                                                0.15 * w * std::cos(a) * std::cos(a),
-                                            -w * std::cos(a));
-                             },
-                             {.wrap = true});
-      model.add("leaves", "wood", shaded(leaf, 70),
+      model.add("leaves", "wood", leaf(2 * size, 1.1 * size, 0.5 * size),
                 translate(stem[i]) * rotate(turn, {0, 1, 0}) * rotate(lift, {0, 0, 1}));
     }
   }

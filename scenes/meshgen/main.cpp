@@ -15,6 +15,7 @@ using namespace nook::meshgen;
 const std::map<std::string, std::function<Model()>> models = {
     {"cbox", cornell_box},
     {"fence", fence},
+    {"room", furnished_room},
     {"spaceship", spaceship},
 };
 

@@ -15,6 +15,9 @@ Model spaceship();
 /// Pickets, wires and leaves millimetres thick before shelves: what screen-space methods take for walls.
 Model fence();
 
+/// A closed room of about a million triangles, rich in nooks; the camera stands inside.
+Model furnished_room();
+
 /// The bunny of the package glmark2-data, read from its OBJ file, on a plane. Throws std::runtime_error.
 Model bunny_on_plane(const std::filesystem::path& file);
 
