@@ -4,7 +4,7 @@
 
 namespace nook {
 
-/// An embedded kernel file ("render.cl") with its includes replaced by their text, each once, and #line markers, so that a
+/// An embedded kernel file ("primary.cl") with its includes replaced by their text, each once, and #line markers, so that a
 /// build error names `kernels/warp.cl:18`. Throws Error(internal) for a file that is not embedded.
 std::string kernel_source(const std::string& file);
 

@@ -64,7 +64,7 @@ PathTracer::PathTracer(const Device& device, const Plan& plan, const TriangleMes
   }
   BuildOptions options;
   options.define("SAMPLER", long(plan_.sampler)).define("VERTEX_NORMALS", plan_.vertex_normals);
-  primary_program_ = build_program(device, kernel_source("render.cl"), options);
+  primary_program_ = build_program(device, kernel_source("primary.cl"), options);
   primary_ = primary_program_.kernel("primary");
   build_seconds_ = primary_program_.seconds;
   all_from_cache_ = primary_program_.from_cache;
@@ -78,7 +78,7 @@ PathTracer::EffectProgram PathTracer::build_effect(const EffectPlan& effect) {
       .define("SAMPLER", long(plan_.sampler))
       .define("REPLICATE_DIRECTIONS", plan_.replicate_directions);
   EffectProgram made;
-  made.program = build_program(device_, kernel_source("render.cl"), options);
+  made.program = build_program(device_, kernel_source("occlusion.cl"), options);
   made.occlusion = made.program.kernel("occlusion");
   build_seconds_ += made.program.seconds;
   all_from_cache_ = all_from_cache_ && made.program.from_cache;
@@ -190,6 +190,11 @@ void PathTracer::harvest(Slot& slot, std::span<Film> films) {
 // Two launches are under way at any time: the device works on one while the host adds up the other.
 bool PathTracer::run(const NextBatch& next, std::span<Film> films, const Progress& progress) {
   std::array<Slot, 2> slots;
+  // Commands still under way read the slots' memory, also when an exception leaves.
+  const struct Drain {
+    cl_command_queue queue;
+    ~Drain() { opencl().clFinish(queue); }
+  } drain{device_.queue()};
   std::uint64_t done = 0;
   bool more = true, stopped = false;
   for (std::size_t turn = 0; more || slots[turn % 2].busy || slots[(turn + 1) % 2].busy; ++turn) {

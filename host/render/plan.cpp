@@ -33,15 +33,20 @@ void store(float (&out)[3], const dvec3& v) {
   for (int i = 0; i < 3; ++i) out[i] = float(v[i]);
 }
 
-// A three-quarter view from above, far enough that the bounding sphere fits the narrower side of the film.
+// A three-quarter view from above, as near as every corner of the box stays inside 96 % of the film.
 Camera framing_camera(const Scene& scene, const Bounds3& bounds) {
   Camera camera;
-  const double radius = std::max(double(bounds.bounding_radius()), 1e-30);
-  const double half_fov_y = camera.fov * std::numbers::pi / 360;
-  const double half_fov_x = std::atan(std::tan(half_fov_y) * scene.width / scene.height);
-  const double distance = 1.02 * radius / std::sin(std::min(half_fov_x, half_fov_y));
-  camera.at = bounds.center();
-  camera.eye = vec3(dvec3(camera.at) + distance * glm::normalize(dvec3(0.55, 0.4, 1.0)));
+  const double half_height = 0.96 * std::tan(camera.fov * std::numbers::pi / 360);
+  const double half_width = half_height * scene.width / scene.height;
+  const dvec3 back = glm::normalize(dvec3(0.55, 0.4, 1.0)), right = glm::normalize(glm::cross(dvec3(0, 1, 0), back)), up = glm::cross(back, right);
+  const dvec3 center(bounds.center());
+  double distance = 1e-30;
+  for (int corner = 0; corner < 8; ++corner) {
+    const dvec3 p = dvec3(corner & 1 ? bounds.hi.x : bounds.lo.x, corner & 2 ? bounds.hi.y : bounds.lo.y, corner & 4 ? bounds.hi.z : bounds.lo.z) - center;
+    distance = std::max({distance, glm::dot(p, back) + std::abs(glm::dot(p, right)) / half_width, glm::dot(p, back) + std::abs(glm::dot(p, up)) / half_height});
+  }
+  camera.at = vec3(center);
+  camera.eye = vec3(center + distance * back);
   camera.up = {0, 1, 0};
   return camera;
 }
