@@ -26,18 +26,23 @@ dmat4 frame(const dvec3& origin, const dvec3& up, const dvec3& forward) {
 }
 
 Part grid(int rows, int columns, const std::function<dvec3(int, int)>& point, GridOptions options) {
+  // Points of a row that fall together become one vertex: else a pole would be a fan of triangles without
+  // area.
+  constexpr double together = 5e-7;
   Part part;
   std::vector<std::uint32_t> index(std::size_t(rows) * std::size_t(columns));
   for (int r = 0; r < rows; ++r) {
-    const std::uint32_t first = std::uint32_t(part.positions.size());
-    bool pole = true;
+    std::uint32_t* row = index.data() + r * columns;
     for (int c = 0; c < columns; ++c) {
-      index[std::size_t(r * columns + c)] = part.add(point(r, c));
-      pole = pole && glm::distance(part.positions[first], part.positions.back()) < 1e-12;
+      const dvec3 p = point(r, c);
+      const auto same = [&](int other) { return glm::distance(part.positions[row[other]], p) < together; };
+      if (c > 0 && same(c - 1))
+        row[c] = row[c - 1];
+      else if (c > 0 && options.wrap && c + 1 == columns && same(0))
+        row[c] = row[0];
+      else
+        row[c] = part.add(p);
     }
-    if (!pole) continue;
-    part.positions.resize(first + 1);
-    std::fill_n(index.begin() + r * columns, columns, first);
   }
   const int last_row = options.wrap_rows ? rows : rows - 1,
             last_column = options.wrap ? columns : columns - 1;

@@ -50,7 +50,7 @@ void add_equipment(Model& model) {
     model.add("crates", "hull", rounded_box(dvec3(0.94 * size), 0.01, 2), m);
     for (int i = 0; i < 12; ++i) {  // the frame along the twelve edges
       const int axis = i / 4;
-      dvec3 half(0.11 * size), offset(0);
+      dvec3 half((0.11 - 0.004 * axis) * size), offset(0);  // no two faces in one plane
       half[axis] = size;
       offset[(axis + 1) % 3] = (i & 1 ? 0.89 : -0.89) * size;
       offset[(axis + 2) % 3] = (i & 2 ? 0.89 : -0.89) * size;
