@@ -1,21 +1,25 @@
 // nook render SCENE: a scene in, an EXR (and a PNG preview) out.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
 
+#include "app/checkpoints.hpp"
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
 #include "app/progress.hpp"
 #include "app/scene_options.hpp"
 #include "base/error.hpp"
 #include "bvh/bvh.hpp"
+#include "film/checkpoint.hpp"
 #include "film/exr.hpp"
 #include "film/png.hpp"
 #include "mesh/mesh_analysis.hpp"
 #include "mesh/obj_loader.hpp"
 #include "render/path_tracer.hpp"
 #include "render/picture.hpp"
+#include "render/session.hpp"
 #include "report/run_record.hpp"
 #include "scene/names.hpp"
 
@@ -27,6 +31,7 @@ namespace fs = std::filesystem;
 struct RenderOptions {
   SceneOptions scene;
   DeviceOptions device;
+  CheckpointOptions checkpoints;
   fs::path output, stats;
   std::string progress = "auto";
   std::vector<std::string> aovs;
@@ -69,8 +74,8 @@ void announce(const Plan& plan, const RunRecord& record) {
 void announce_end(const RunRecord& r, const fs::path& output) {
   fmt::print(stderr, "{}: load {:.2f} s, tree {:.2f} s, kernels {:.2f} s{}, render {:.2f} s ({:.1f} Mrays/s), write {:.2f} s\n", output.string(),
              r.seconds.load, r.seconds.bvh, r.seconds.compile, r.kernels_from_cache ? " (cached)" : "", r.seconds.render,
-             double(r.counters.camera_rays + r.counters.occlusion_rays) / std::max(r.seconds.render, 1e-9) * 1e-6, r.seconds.write);
-  if (r.counters.rejected) fmt::print(stderr, "warning: {} samples were not finite and were left out\n", r.counters.rejected);
+             double(r.counts.camera_rays + r.counts.occlusion_rays) / std::max(r.seconds.render, 1e-9) * 1e-6, r.seconds.write);
+  if (r.counts.rejected) fmt::print(stderr, "warning: {} samples were not finite and were left out\n", r.counts.rejected);
 }
 
 std::vector<std::uint32_t> row_major(const PixelRect& window, int width) {
@@ -78,6 +83,32 @@ std::vector<std::uint32_t> row_major(const PixelRect& window, int width) {
   for (int y = window.y0; y < window.y1; ++y)
     for (int x = window.x0; x < window.x1; ++x) pixels.push_back(std::uint32_t(y) * std::uint32_t(width) + std::uint32_t(x));
   return pixels;
+}
+
+// A part that can be continued, less what only its end knows.
+FilmPart::Texts as_texts(const std::map<std::string, std::string>& metadata) { return {metadata.begin(), metadata.end()}; }
+
+// Runs the session to the end of its share, keeping its part on disk. Whatever ends it early, what is finished stays.
+void run_session(Session& session, const SampleBox& share, CheckpointWriter& writer, ProgressMode mode) {
+  const auto rays = [&] { return session.part().counts.camera_rays + session.part().counts.occlusion_rays; };
+  const std::uint64_t held_before = session.samples_held(), rays_before = rays();
+  ProgressReporter progress(mode, samples_in(subtract({share}, session.held())));
+  bool finished = false;
+  try {
+    finished = session.run(all_of(share), [&] {
+      progress.update(session.samples_held() - held_before, rays() - rays_before);
+      writer.update(session);
+      return !interrupted();
+    });
+  } catch (const Error& e) {
+    progress.finish();
+    writer.write(session);
+    throw Error(e.code(), e.what() + writer.what_is_kept(session));
+  }
+  progress.finish();
+  if (finished) return;
+  writer.write(session);
+  throw Error(ExitCode::interrupted, "interrupted" + writer.what_is_kept(session));
 }
 
 int render(const RenderOptions& options) {
@@ -88,7 +119,12 @@ int render(const RenderOptions& options) {
   }
   const AovRequest aovs = parse_aovs(options.aovs);
   const ProgressMode mode = options.quiet ? ProgressMode::none : parse_progress(options.progress);
-  const fs::path output = options.output.empty() ? fs::path(options.scene.scene).replace_extension(".exr") : options.output;
+  const std::optional<Share> shard = options.checkpoints.share();
+  CheckpointWriter writer(options.checkpoints.file(options.scene.scene, options.output), options.checkpoints.every);
+  if (!writer.file().empty()) check_writable(writer.file());
+  const fs::path output = shard                   ? writer.file()
+                          : options.output.empty() ? fs::path(options.scene.scene).replace_extension(".exr")
+                                                   : options.output;
   check_writable(output);
 
   Stopwatch whole, watch;
@@ -107,29 +143,35 @@ int render(const RenderOptions& options) {
   PathTracer tracer(device, record.plan, mesh, bvh);
   record.seconds.compile = tracer.build_seconds();
   record.kernels_from_cache = tracer.all_from_cache();
+  record.scene_hash = scene_hash(scene);
+  record.mesh_hash = mesh_hash(mesh);
+
+  Session session(tracer, record.plan, film_identity(record.plan, record.device, record.scene_hash, record.mesh_hash));
+  std::error_code code;
+  if (options.checkpoints.resume && fs::exists(writer.file(), code)) session.resume(read_film_part(writer.file()), writer.file().string());
+  session.part().layers = layer_names(record.plan);
+  session.part().aovs = options.aovs;
+  session.part().metadata = as_texts(record.metadata());
   watch.lap();
 
   catch_interrupts();
-  std::vector<Film> films = tracer.make_films();
-  ProgressReporter progress(mode, films.front().pixels() * std::uint64_t(record.plan.spp));
-  const bool finished = tracer.accumulate(pixels_in_order(record.plan.window, record.plan.width), {0, record.plan.spp}, films, [&](std::uint64_t samples) {
-    progress.update(samples, tracer.counters().camera_rays + tracer.counters().occlusion_rays);
-    return !interrupted();
-  });
-  progress.finish();
-  if (!finished) throw Error(ExitCode::interrupted, "interrupted; nothing was written");
-  std::vector<SurfacePoint> surface;
-  if (aovs.needs_surface()) surface = tracer.surface_points(row_major(record.plan.window, record.plan.width));
-  record.seconds.render = watch.lap();
+  run_session(session, session.share(shard.value_or(Share{})), writer, mode);
+  if (aovs.needs_surface())
+    session.part().surface = surface_channels(record.plan, aovs, tracer.surface_points(row_major(record.plan.window, record.plan.width)));
+  watch.lap();
 
-  record.counters = tracer.counters();
+  FilmPart& part = session.part();
+  record.counts = part.counts;
+  record.launches = tracer.counters().launches;
+  record.seconds.render = part.render_seconds;
   record.bytes_uploaded = device.bytes_uploaded();
-  record.scene_hash = scene_hash(scene);
-  record.mesh_hash = mesh_hash(mesh);
-  Image image = make_picture(record.plan, films, aovs, surface);
-  image.metadata = record.metadata();
-  write_exr(output, image);
-  if (options.png) write_png(fs::path(output).replace_extension(".png"), image);
+  part.metadata = as_texts(record.metadata());
+  writer.write(session);
+  if (!shard) {
+    const Image image = make_picture(part);
+    write_exr(output, image);
+    if (options.png) write_png(fs::path(output).replace_extension(".png"), image);
+  }
   record.seconds.write = watch.lap();
   record.seconds.total = whole.lap();
   if (!options.stats.empty()) write_stats(options.stats, record);
@@ -144,7 +186,8 @@ void add_render_command(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand("render", "Render a scene to an EXR and a PNG preview");
   options->scene.add_to(*command);
   options->device.add_to(*command);
-  command->add_option("-o,--output", options->output, "EXR file; default: beside the scene, .exr for .toml");
+  options->checkpoints.add_to(*command);
+  command->add_option("-o,--output", options->output, "EXR file; default: beside the scene, .exr for .toml. With --shard: the part's file");
   command->add_option("--aov", options->aovs, "More channels: normal,position,depth,variance,samples,alpha")->delimiter(',');
   command->add_option("--progress", options->progress, "auto, plain, json or none (to stderr)")->envname("NOOK_PROGRESS");
   command->add_option("--stats", options->stats, "Write the run record as JSON");

@@ -69,6 +69,12 @@ void PendingFile::seek(std::size_t position) {
   position_ = position;
 }
 
+void PendingFile::sync() {
+  if (error_) fail(error_);
+  errno = 0;
+  if (std::fflush(stream_) != 0 || ::fsync(::fileno(stream_)) != 0) fail(errno ? errno : EIO);
+}
+
 void PendingFile::commit() {
   if (error_) fail(error_);
   std::FILE* stream = stream_;

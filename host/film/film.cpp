@@ -13,6 +13,16 @@ Film::Film(int w, int h, float sum_fixed_point, float square_fixed_point, std::u
   hits.resize(pixels());
 }
 
+void Film::add(const Film& other) {
+  for (std::size_t i = 0; i < pixels(); ++i) {
+    sum[i] += other.sum[i];
+    sum_square[i] += other.sum_square[i];
+    replicates[i] += other.replicates[i];
+    camera_samples[i] += other.camera_samples[i];
+    hits[i] += other.hits[i];
+  }
+}
+
 double Film::value(std::size_t pixel) const {
   const double n = double(replicates[pixel]) * per_replicate;
   return n > 0 ? double(sum[pixel]) / (double(sum_scale) * n) : 0.0;

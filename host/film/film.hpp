@@ -27,6 +27,8 @@ struct Film {
   Film(int width, int height, float sum_scale, float square_scale, std::uint32_t per_replicate);
 
   std::size_t pixels() const { return std::size_t(width) * std::size_t(height); }
+  /// Adds the samples of a film of the same size and scales.
+  void add(const Film& other);
   /// The estimate, 0 without samples.
   double value(std::size_t pixel) const;
   /// The variance of value(): the sample variance of the replicates over their number; 0 with fewer than two.

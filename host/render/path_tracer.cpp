@@ -14,7 +14,7 @@ namespace {
 // progress, time limits and interrupts are seen often; it stays far above the cost of an enqueue (25-80 µs).
 constexpr std::uint64_t points_per_launch = 1u << 19;
 constexpr std::uint64_t rays_per_launch = 1u << 22;
-// One work-item does at most this many camera samples, or directions where those are the replicates.
+// One work-item does at most this many camera samples, and traces about this many rays.
 constexpr std::uint32_t samples_per_task = 64;
 constexpr std::uint32_t directions_per_task = 4096;
 
@@ -37,6 +37,7 @@ struct PathTracer::Batch {
   std::uint32_t total_directions = 1;  // of a camera sample in the whole render
   cl_mem points = nullptr;             // given; otherwise `primary` makes them
   bool first_directions = true;        // the tasks hold their camera samples' first directions
+  std::vector<Finished> finished;      // what the tasks amount to
 };
 
 struct PathTracer::Slot {
@@ -138,7 +139,6 @@ void PathTracer::submit(Slot& slot) {
     set_arg(primary_.get(), arg, count);
     set_arg(primary_.get(), arg, points);
     launch(primary_.get(), count);
-    counters_.camera_rays += needed;
   }
   slot.host_results.resize(effects_.size());
   for (std::size_t e = 0; e < effects_.size(); ++e) {
@@ -158,11 +158,6 @@ void PathTracer::submit(Slot& slot) {
   slot.busy = true;
 }
 
-std::size_t PathTracer::film_index(std::uint32_t pixel) const {
-  const std::uint32_t x = pixel % std::uint32_t(plan_.width), y = pixel / std::uint32_t(plan_.width);
-  return std::size_t(y - std::uint32_t(plan_.window.y0)) * std::size_t(plan_.window.width()) + (x - std::uint32_t(plan_.window.x0));
-}
-
 void PathTracer::harvest(Slot& slot, std::span<Film> films) {
   const Batch& batch = slot.batch;
   for (std::size_t e = 0; e < effects_.size(); ++e) {
@@ -172,7 +167,7 @@ void PathTracer::harvest(Slot& slot, std::span<Film> films) {
                  "the device failed");
     Film& film = films[e];
     for (std::size_t t = 0; t < results.size(); ++t) {
-      const std::size_t i = batch.points ? batch.tasks[t].pixel : film_index(batch.tasks[t].pixel);
+      const std::size_t i = batch.points ? batch.tasks[t].pixel : plan_.film_index(batch.tasks[t].pixel);
       film.sum[i] += results[t].sum;
       film.sum_square[i] += results[t].sum_square;
       film.replicates[i] += plan_.replicate_directions ? batch.samples * batch.directions : batch.samples;
@@ -184,6 +179,7 @@ void PathTracer::harvest(Slot& slot, std::span<Film> films) {
       counters_.rejected += results[t].rejected;
     }
   }
+  if (!batch.points) counters_.camera_rays += batch.tasks.size() * std::uint64_t(batch.samples);
   slot.busy = false;
 }
 
@@ -195,19 +191,18 @@ bool PathTracer::run(const NextBatch& next, std::span<Film> films, const Progres
     cl_command_queue queue;
     ~Drain() { opencl().clFinish(queue); }
   } drain{device_.queue()};
-  std::uint64_t done = 0;
   bool more = true, stopped = false;
   for (std::size_t turn = 0; more || slots[turn % 2].busy || slots[(turn + 1) % 2].busy; ++turn) {
     Slot& slot = slots[turn % 2];
     if (slot.busy) {
       harvest(slot, films);
-      if (slot.batch.first_directions) done += slot.batch.tasks.size() * std::uint64_t(slot.batch.samples);
-      if (progress && !progress(done) && more) {
+      if (progress && !progress(slot.batch.finished) && more) {
         more = false;
         stopped = true;
       }
     }
     slot.batch.tasks.clear();
+    slot.batch.finished.clear();
     if (more && (more = next(slot.batch))) submit(slot);
   }
   return !stopped;
@@ -221,30 +216,37 @@ std::vector<Film> PathTracer::make_films() const {
   return films;
 }
 
+// Tasks in which a pixel has equally many samples, as many as a launch may hold: all pixels' first samples, then all pixels'
+// next, so that a stopped render is even.
 bool PathTracer::accumulate(std::span<const std::uint32_t> pixels, SampleRange range, std::span<Film> films,
                             const Progress& progress) {
-  std::uint32_t sample = range.first, direction = 0;
-  const std::uint32_t end = range.first + range.count;
-  std::size_t pixel = 0;
   if (pixels.empty() || range.count == 0) return true;
+  const bool by_direction = plan_.replicate_directions;
+  const std::uint32_t samples_a_task =
+      by_direction ? directions_per_task : std::clamp(directions_per_task / plan_.directions, 1u, samples_per_task);
+  const std::uint32_t end = range.first + range.count;
+  std::uint32_t first = range.first;
+  std::size_t pixel = 0;
+  const auto samples_here = [&] { return std::min(samples_a_task, end - first); };
+  const auto first_directions_here = [&] { return !by_direction || first == 0; };
   const NextBatch next = [&](Batch& batch) {
-    if (sample >= end) return false;
-    batch.samples = std::min(samples_per_task, end - sample);
-    batch.directions = plan_.replicate_directions ? std::min(directions_per_task, plan_.directions - direction) : plan_.directions;
+    if (first >= end) return false;
+    const std::uint32_t samples = samples_here();
+    batch.samples = by_direction ? 1 : samples;
+    batch.directions = by_direction ? samples : plan_.directions;
     batch.total_directions = plan_.directions;
-    batch.first_directions = direction == 0;
+    batch.first_directions = first_directions_here();
     const std::uint64_t rays_of_task = std::uint64_t(batch.samples) * batch.directions;
-    const std::uint64_t room = std::max<std::uint64_t>(
-        64, std::min(points_per_launch / batch.samples, rays_per_launch / std::max<std::uint64_t>(rays_of_task, 1)));
-    const std::size_t stop = std::min(pixels.size(), pixel + std::size_t(room));
-    for (; pixel < stop; ++pixel)
-      batch.tasks.push_back({pixels[pixel], sample, direction, nook_uint(batch.tasks.size() * batch.samples)});
-    if (pixel == pixels.size()) {
-      pixel = 0;
-      direction += batch.directions;
-      if (direction >= plan_.directions) {
-        direction = 0;
-        sample += batch.samples;
+    std::uint64_t room = std::max<std::uint64_t>({1, device_.info().compute_units, std::min(points_per_launch / batch.samples, rays_per_launch / rays_of_task)});
+    while (room > 0 && first < end && samples_here() == samples && first_directions_here() == batch.first_directions) {
+      const std::size_t stop = std::min(pixels.size(), pixel + std::size_t(room));
+      batch.finished.push_back({pixel, stop, {first, samples}});
+      room -= stop - pixel;
+      for (; pixel < stop; ++pixel)
+        batch.tasks.push_back({pixels[pixel], by_direction ? 0 : first, by_direction ? first : 0, nook_uint(batch.tasks.size() * batch.samples)});
+      if (pixel == pixels.size()) {
+        pixel = 0;
+        first += samples;
       }
     }
     return true;
@@ -273,6 +275,7 @@ Film PathTracer::estimate_points(std::span<const SurfacePoint> points, std::size
     while (batch.tasks.size() < room && direction < directions &&
            std::min(directions_per_task, directions - direction) == batch.directions && (direction == 0) == batch.first_directions) {
       batch.tasks.push_back({nook_uint(row), 0, direction, nook_uint(row)});
+      batch.finished.push_back({row, row + 1, {direction, batch.directions}});
       if (++row == points.size()) {
         row = 0;
         direction += batch.directions;

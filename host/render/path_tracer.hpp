@@ -24,9 +24,16 @@ struct RenderCounters {
   std::uint64_t launches = 0;
 };
 
-/// Camera samples [first, first + count) of a pixel.
+/// Samples [first, first + count) of a pixel: of its Plan::samples_per_pixel() camera rays or, with one camera ray a pixel,
+/// directions.
 struct SampleRange {
   std::uint32_t first = 0, count = 0;
+};
+
+/// What is in the films from now on: samples `range` of the pixels [begin, end) of the list that accumulate() was given.
+struct Finished {
+  std::size_t begin = 0, end = 0;
+  SampleRange range;
 };
 
 /// One scene on one device: uploaded once, its kernels specialised to the plan.
@@ -39,11 +46,11 @@ class PathTracer {
   /// Empty films of the plan's window, one per effect.
   std::vector<Film> make_films() const;
 
-  /// Called after each launch with the camera samples finished so far in this call; false stops.
-  using Progress = std::function<bool(std::uint64_t camera_samples)>;
+  /// Called after each launch with what it finished; false stops.
+  using Progress = std::function<bool(std::span<const Finished>)>;
 
-  /// Adds the camera samples of `range` of each pixel to `films` (one per effect). `pixels` are y * width + x in the whole image and
-  /// must lie in the plan's window. Returns false if `progress` stopped it: what was finished by then is in the films.
+  /// Adds the samples of `range` of each pixel to `films` (one per effect). `pixels` are y * width + x in the whole image and
+  /// must lie in the plan's window. Returns false if `progress` stopped it: what it was told of is in the films, and nothing else.
   bool accumulate(std::span<const std::uint32_t> pixels, SampleRange range, std::span<Film> films,
                   const Progress& progress = nullptr);
 
@@ -75,7 +82,6 @@ class PathTracer {
   void submit(Slot& slot);
   void harvest(Slot& slot, std::span<Film> films);
   bool run(const NextBatch& next, std::span<Film> films, const Progress& progress);
-  std::size_t film_index(std::uint32_t pixel) const;
 
   const Device& device_;
   Plan plan_;

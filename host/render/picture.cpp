@@ -9,16 +9,16 @@ namespace nook {
 namespace {
 
 template <class Get>
-void add_plane(Image& image, const std::string& name, std::size_t count, Get get) {
+void add_plane(std::vector<Channel>& channels, const std::string& name, std::size_t count, Get get) {
   std::vector<decltype(get(std::size_t()))> values(count);
   for (std::size_t i = 0; i < count; ++i) values[i] = get(i);
-  image.channels.push_back({name, std::move(values)});
+  channels.push_back({name, std::move(values)});
 }
 
-void add_vector(Image& image, const std::string& layer, std::span<const SurfacePoint> surface, vec3 (*get)(const SurfacePoint&)) {
+void add_vector(std::vector<Channel>& channels, const std::string& layer, std::span<const SurfacePoint> surface, vec3 (*get)(const SurfacePoint&)) {
   static constexpr const char* axes[] = {".X", ".Y", ".Z"};
   for (int axis = 0; axis < 3; ++axis)
-    add_plane(image, layer + axes[axis], surface.size(), [&](std::size_t i) {
+    add_plane(channels, layer + axes[axis], surface.size(), [&](std::size_t i) {
       return surface[i].flags & SURFACE_HIT ? get(surface[i])[axis] : 0.0f;
     });
 }
@@ -44,31 +44,45 @@ AovRequest parse_aovs(const std::vector<std::string>& names) {
   return request;
 }
 
-Image make_picture(const Plan& plan, std::span<const Film> films, const AovRequest& aovs, std::span<const SurfacePoint> surface) {
-  Image image;
-  image.width = plan.window.width();
-  image.height = plan.window.height();
-  for (std::size_t e = 0; e < films.size(); ++e) {
-    const Film& film = films[e];
-    const std::string layer = layer_name(plan.effects[e], e);
-    std::vector<float> value(film.pixels());
-    for (std::size_t i = 0; i < value.size(); ++i) value[i] = float(film.value(i));
-    for (const char* channel : {"R", "G", "B"}) image.channels.push_back({layer + channel, value});
-    if (e == 0 && aovs.alpha) add_plane(image, "A", film.pixels(), [&](std::size_t i) { return float(film.coverage(i)); });
-    const std::string of_effect = layer.empty() ? "AO." : layer;
-    if (aovs.variance) add_plane(image, of_effect + "variance", film.pixels(), [&](std::size_t i) { return float(film.variance(i)); });
-    if (aovs.samples)
-      add_plane(image, of_effect + "samples", film.pixels(), [&](std::size_t i) { return film.replicates[i] * film.per_replicate; });
-  }
+std::vector<std::string> layer_names(const Plan& plan) {
+  std::vector<std::string> names;
+  for (std::size_t e = 0; e < plan.effects.size(); ++e) names.push_back(layer_name(plan.effects[e], e));
+  return names;
+}
+
+std::vector<Channel> surface_channels(const Plan& plan, const AovRequest& aovs, std::span<const SurfacePoint> surface) {
+  std::vector<Channel> channels;
   const vec3 forward(plan.camera.forward[0], plan.camera.forward[1], plan.camera.forward[2]);
-  if (aovs.normal) add_vector(image, "N", surface, [](const SurfacePoint& p) { return vec3(p.normal[0], p.normal[1], p.normal[2]); });
-  if (aovs.position) add_vector(image, "P", surface, [](const SurfacePoint& p) { return vec3(p.origin[0], p.origin[1], p.origin[2]); });
+  if (aovs.normal) add_vector(channels, "N", surface, [](const SurfacePoint& p) { return vec3(p.normal[0], p.normal[1], p.normal[2]); });
+  if (aovs.position) add_vector(channels, "P", surface, [](const SurfacePoint& p) { return vec3(p.origin[0], p.origin[1], p.origin[2]); });
   if (aovs.depth)
-    add_plane(image, "Z", surface.size(), [&](std::size_t i) {
+    add_plane(channels, "Z", surface.size(), [&](std::size_t i) {
       const SurfacePoint& p = surface[i];
       const vec3 direction(-p.view[0], -p.view[1], -p.view[2]);
       return p.flags & SURFACE_HIT ? p.distance * glm::dot(direction, forward) : std::numeric_limits<float>::infinity();
     });
+  return channels;
+}
+
+Image make_picture(const FilmPart& part) {
+  const AovRequest aovs = parse_aovs(part.aovs);
+  Image image;
+  image.width = part.films.front().width;
+  image.height = part.films.front().height;
+  for (std::size_t e = 0; e < part.films.size(); ++e) {
+    const Film& film = part.films[e];
+    const std::string& layer = part.layers[e];
+    std::vector<float> value(film.pixels());
+    for (std::size_t i = 0; i < value.size(); ++i) value[i] = float(film.value(i));
+    for (const char* channel : {"R", "G", "B"}) image.channels.push_back({layer + channel, value});
+    if (e == 0 && aovs.alpha) add_plane(image.channels, "A", film.pixels(), [&](std::size_t i) { return float(film.coverage(i)); });
+    const std::string of_effect = layer.empty() ? "AO." : layer;
+    if (aovs.variance) add_plane(image.channels, of_effect + "variance", film.pixels(), [&](std::size_t i) { return float(film.variance(i)); });
+    if (aovs.samples)
+      add_plane(image.channels, of_effect + "samples", film.pixels(), [&](std::size_t i) { return film.replicates[i] * film.per_replicate; });
+  }
+  image.channels.insert(image.channels.end(), part.surface.begin(), part.surface.end());
+  image.metadata = {part.metadata.begin(), part.metadata.end()};
   return image;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "film/film.hpp"
+#include "film/film_part.hpp"
 #include "film/image.hpp"
 #include "kernels/shared/surface_point.h"
 #include "render/plan.hpp"
@@ -25,8 +25,14 @@ struct AovRequest {
 /// "normal,position,depth,variance,samples,alpha" in any order. Throws Error(usage).
 AovRequest parse_aovs(const std::vector<std::string>& names);
 
-/// The window's image: R = G = B = the first effect's estimate; a further effect's go to the layer of its name (or "ao2", "ro").
-/// `surface`: one point per pixel of the window, row-major, if aovs.needs_surface().
-Image make_picture(const Plan& plan, std::span<const Film> films, const AovRequest& aovs, std::span<const SurfacePoint> surface);
+/// The prefix of each effect's channels: "" for the first (R, G, B), the effect's name or "ao2." for a further one.
+std::vector<std::string> layer_names(const Plan& plan);
+
+/// The channels of `aovs` that say what lies under the pixels' centres. `surface`: one point per pixel of the window, row-major.
+std::vector<Channel> surface_channels(const Plan& plan, const AovRequest& aovs, std::span<const SurfacePoint> surface);
+
+/// The image of a part, whatever samples it has: R = G = B = the first effect's estimate, further effects in their layers, the AOVs
+/// that the part names.
+Image make_picture(const FilmPart& part);
 
 }  // namespace nook

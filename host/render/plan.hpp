@@ -31,6 +31,14 @@ struct Plan {
   std::uint32_t seed = 0;
   bool vertex_normals = false;       ///< uploaded and interpolated
   std::vector<EffectPlan> effects;   ///< the path-traced ones
+
+  /// What a pixel's samples are counted in: camera rays or, with one camera ray a pixel, directions.
+  std::uint32_t samples_per_pixel() const { return replicate_directions ? directions : spp; }
+  /// The index in a film of the window of pixel y * width + x of the whole image.
+  std::size_t film_index(std::uint32_t pixel) const {
+    const int x = int(pixel % std::uint32_t(width)), y = int(pixel / std::uint32_t(width));
+    return std::size_t(y - window.y0) * std::size_t(window.width()) + std::size_t(x - window.x0);
+  }
 };
 
 /// Which attributes of the mesh the scene's effects read.

@@ -50,11 +50,15 @@ std::map<std::string, std::string> RunRecord::metadata() const {
   m["nook/seconds_load"] = fmt::format("{:.4f}", seconds.load);
   m["nook/seconds_bvh"] = fmt::format("{:.4f}", seconds.bvh);
   m["nook/seconds_compile"] = fmt::format("{:.4f}", seconds.compile);
-  m["nook/seconds_render"] = fmt::format("{:.4f}", seconds.render);
-  m["nook/camera_rays"] = std::to_string(counters.camera_rays);
-  m["nook/occlusion_rays"] = std::to_string(counters.occlusion_rays);
-  m["nook/rejected_samples"] = std::to_string(counters.rejected);
+  m.merge(count_metadata(counts, seconds.render));
   return m;
+}
+
+std::map<std::string, std::string> count_metadata(const TraceCounts& counts, double render_seconds) {
+  return {{"nook/seconds_render", fmt::format("{:.4f}", render_seconds)},
+          {"nook/camera_rays", std::to_string(counts.camera_rays)},
+          {"nook/occlusion_rays", std::to_string(counts.occlusion_rays)},
+          {"nook/rejected_samples", std::to_string(counts.rejected)}};
 }
 
 void write_stats(const std::filesystem::path& path, const RunRecord& r) {
@@ -74,9 +78,9 @@ void write_stats(const std::filesystem::path& path, const RunRecord& r) {
       {"triangles", r.triangles},
       {"bytes_uploaded", r.bytes_uploaded},
       {"kernels_from_cache", r.kernels_from_cache},
-      {"rays", {{"camera", r.counters.camera_rays}, {"occlusion", r.counters.occlusion_rays}}},
-      {"rejected_samples", r.counters.rejected},
-      {"launches", r.counters.launches},
+      {"rays", {{"camera", r.counts.camera_rays}, {"occlusion", r.counts.occlusion_rays}}},
+      {"rejected_samples", r.counts.rejected},
+      {"launches", r.launches},
       {"seconds",
        {{"load", r.seconds.load},
         {"bvh", r.seconds.bvh},

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "device/device.hpp"
+#include "film/film_part.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "render/path_tracer.hpp"
 #include "render/plan.hpp"
@@ -23,7 +24,8 @@ struct RunRecord {
   std::string scene_file;
   DeviceInfo device;
   RunSeconds seconds;
-  RenderCounters counters;
+  TraceCounts counts;
+  std::uint64_t launches = 0;
   std::uint64_t triangles = 0;
   std::uint64_t bytes_uploaded = 0;
   bool kernels_from_cache = false;
@@ -32,6 +34,9 @@ struct RunRecord {
   /// "nook/seed" -> "7", ...
   std::map<std::string, std::string> metadata() const;
 };
+
+/// The part of metadata() that a film's parts add up: rays, rejected samples, seconds of rendering.
+std::map<std::string, std::string> count_metadata(const TraceCounts& counts, double render_seconds);
 
 /// Writes the record as JSON (temporary name and rename). Throws Error(output).
 void write_stats(const std::filesystem::path& path, const RunRecord& record);
