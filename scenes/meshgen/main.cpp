@@ -15,6 +15,13 @@ using namespace nook::meshgen;
 const std::map<std::string, std::function<Model()>> models = {
     {"cbox", cornell_box},
     {"fence", fence},
+    {"hard_contact", [] { return hard_contact(1, dvec3(0)); }},
+    {"hard_contact_far", [] { return hard_contact(1, dvec3(4096, 4096, 4096)); }},
+    {"hard_contact_large", [] { return hard_contact(1e6, dvec3(0)); }},
+    {"hard_contact_small", [] { return hard_contact(1e-6, dvec3(0)); }},
+    {"hard_slivers", hard_slivers},
+    {"hard_spikes", hard_spikes},
+    {"hard_wedge", hard_wedge},
     {"room", furnished_room},
     {"spaceship", spaceship},
 };

@@ -18,6 +18,17 @@ Model fence();
 /// A closed room of about a million triangles, rich in nooks; the camera stands inside.
 Model furnished_room();
 
+/// Hard cases; scenes/hard/*.toml say what their pictures must show.
+/// A unit sphere that touches a floor at one point; then everything scaled, then moved.
+Model hard_contact(double scale, const dvec3& offset);
+/// Two plates that meet at 10 degrees.
+Model hard_wedge();
+/// A closed star of spikes that faces inwards, with edges and vertices everywhere.
+Model hard_spikes();
+/// A flat floor of triangles up to a million times longer than wide, with duplicates and triangles without
+/// area among them.
+Model hard_slivers();
+
 /// The bunny of the package glmark2-data, read from its OBJ file, on a plane. Throws std::runtime_error.
 Model bunny_on_plane(const std::filesystem::path& file);
 

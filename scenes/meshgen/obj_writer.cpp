@@ -24,11 +24,15 @@ void put(std::string& out, double x) {
   out.append(tail, std::size_t(width) + 1);
 }
 
-void put(std::string& out, const char* keyword, const dvec3& p) {
+void put(std::string& out, const char* keyword, const dvec3& p, bool exact = false) {
   out += keyword;
   for (int i = 0; i < 3; ++i) {
     out += ' ';
-    put(out, p[i]);
+    char digits[32];
+    if (exact)
+      out.append(digits, std::to_chars(digits, digits + sizeof digits, float(p[i])).ptr);
+    else
+      put(out, p[i]);
   }
   out += '\n';
 }
@@ -56,7 +60,7 @@ std::string obj_text(const Model& model, const std::string& name) {
   std::uint32_t first_position = 1, first_normal = 1;
   for (const Model::Group& g : model.groups()) {
     out += "g " + g.name + "\nusemtl " + g.material + "\n";
-    for (const dvec3& p : g.part.positions) put(out, "v", p);
+    for (const dvec3& p : g.part.positions) put(out, "v", p, model.exact);
     for (const dvec3& n : g.part.normals) put(out, "vn", n);
     for (std::size_t t = 0; t < g.part.triangles.size(); ++t) {
       out += 'f';

@@ -55,6 +55,9 @@ class Model {
            const dmat4& m = dmat4(1));
   /// Phong exponent of a material; negative: it has no lobe, and the MTL no Ns.
   void material(const std::string& name, double exponent) { exponents_[name] = exponent; }
+  /// Coordinates far from 1: they are written as the shortest decimals of their floats instead of with six
+  /// decimals.
+  bool exact = false;
   /// Moves the whole model.
   void transform(const dmat4& m);
 

@@ -48,7 +48,7 @@ void add_window(Model& model) {
   for (const double s : {-1.0, 1.0}) {
     model.add("window", "wood", rounded_box({0.035, 0.04, w}, 0.008),
               translate({x, yc + s * (h - 0.04), zc}));
-    model.add("window", "wood", rounded_box({0.035, h, 0.04}, 0.008),
+    model.add("window", "wood", rounded_box({0.033, h - 0.002, 0.04}, 0.008),
               translate({x, yc, zc + s * (w - 0.04)}));
   }
   for (int i = 1; i < 4; ++i)
