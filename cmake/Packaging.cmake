@@ -1,11 +1,13 @@
-# cmake --install build, and `cpack --config build/CPackConfig.cmake -B build` for a .deb (needs dpkg-dev).
+# cmake --install build, and `cpack --config build/CPackConfig.cmake -B build` for a .deb (needs the group
+# `package` of .ci/packages).
 include(GNUInstallDirs)
 
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} OPTIONAL)
 install(DIRECTORY scenes/ DESTINATION ${CMAKE_INSTALL_DATADIR}/nook/scenes
-        FILES_MATCHING PATTERN "*.toml" PATTERN "README.md" PATTERN "*.jpg" PATTERN "*.png"
-        PATTERN meshgen EXCLUDE PATTERN generated EXCLUDE)
+        FILES_MATCHING PATTERN "*.toml" PATTERN "README.md" PATTERN meshgen EXCLUDE PATTERN generated EXCLUDE
+        PATTERN thumbnails EXCLUDE)
+install(DIRECTORY scenes/thumbnails DESTINATION ${CMAKE_INSTALL_DATADIR}/nook/scenes OPTIONAL)
 if(NOOK_SCENES)
   install(DIRECTORY scenes/generated DESTINATION ${CMAKE_INSTALL_DATADIR}/nook/scenes
           FILES_MATCHING PATTERN "*.obj" PATTERN "*.mtl")
@@ -22,7 +24,7 @@ set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# Loaded at run time, so that no link tells: the OpenCL loader, and a device for it.
+# Loaded at run time, so that no link tells: the OpenCL loader, a device for it, and OSMesa for SSAO.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "ocl-icd-libopencl1 | libopencl1, pocl-opencl-icd | opencl-icd")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "glmark2-data")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libosmesa6, glmark2-data")
 include(CPack)
