@@ -67,7 +67,7 @@ Model hard_slivers() {
   model.exact = true;
   model.material("matt", -1);
   Part floor;
-  // Strips of falling width: from 1 down to 1e-6 wide, 20 long, each cut along its diagonal.
+  // Strips of falling width: from 1 down to 2e-6 wide, 20 long, each cut along its diagonal.
   double z = 2;
   for (int i = 0; i < 600; ++i) {
     const double width = i < 24 ? std::pow(10.0, -0.25 * i) : 0.5e-2 * (1 + hash01(std::uint32_t(i), 1));

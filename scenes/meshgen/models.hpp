@@ -25,7 +25,7 @@ Model hard_contact(double scale, const dvec3& offset);
 Model hard_wedge();
 /// A closed star of spikes that faces inwards, with edges and vertices everywhere.
 Model hard_spikes();
-/// A flat floor of triangles up to a million times longer than wide, with duplicates and triangles without
+/// A flat floor of triangles up to ten million times longer than wide, with duplicates and triangles without
 /// area among them.
 Model hard_slivers();
 
