@@ -54,6 +54,19 @@
 #define VERTEX_NORMALS 0
 #endif
 
+// 1: each triangle's material is bound, and surface points know theirs.
+#ifndef MATERIALS
+#define MATERIALS 0
+#endif
+
+// 1: RO takes the exponent of the surface's material; a surface without a lobe traces nothing.
+#ifndef EXPONENT_OF_MATERIAL
+#define EXPONENT_OF_MATERIAL 0
+#endif
+#if EXPONENT_OF_MATERIAL && EFFECT != EFFECT_REFLECTION
+#error "EXPONENT_OF_MATERIAL needs EFFECT_REFLECTION"
+#endif
+
 // 1: one ray at a time, for GPUs; 0: streams of rays over vectors of boxes and triangles, for CPUs. The same bits.
 #ifndef TRAVERSAL_SCALAR
 #define TRAVERSAL_SCALAR 0

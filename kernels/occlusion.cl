@@ -20,9 +20,15 @@ float sample_effect(float2 u, __global const SurfacePoint* point, float exponent
   return ambient_sample(u, normal, direction);
 }
 
+// The Phong exponent of the point's material; negative where it has no lobe, or no material.
+float exponent_of(__global const SurfacePoint* point, __global const float* exponents) {
+  return point->material == 0xffffffffu ? -1.0f : exponents[point->material];
+}
+
 // Directions [task.first_direction, + p.directions) at each camera sample of each task, summed into results[task].
 __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* tasks, uint task_count,
-                        __global const SurfacePoint* points, __global TaskResult* results) {
+                        __global const SurfacePoint* points, __global TaskResult* results,
+                        __global const float* exponents) {
   uint id = get_global_id(0);
   if (id >= task_count) return;
   Task task = tasks[id];
@@ -31,6 +37,8 @@ __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* task
     __global const SurfacePoint* point = points + task.point + s;
     if (!(point->flags & SURFACE_HIT)) continue;
     ++result.hits;
+    float exponent = EXPONENT_OF_MATERIAL ? exponent_of(point, exponents) : p.exponent;
+    if (EXPONENT_OF_MATERIAL && !(exponent >= 0.0f)) continue;
     float3 origin = (float3)(point->origin[0], point->origin[1], point->origin[2]);
     ulong of_sample = 0;
     for (uint begin = 0; begin < p.directions; begin += STREAM) {
@@ -41,7 +49,7 @@ __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* task
       for (uint k = 0; k < count; ++k) {
         float3 d;
         float2 square = sample_direction(task.pixel, task.first_sample + s, task.first_direction + begin + k, &p);
-        float w = sample_effect(square, point, p.exponent, &d);
+        float w = sample_effect(square, point, exponent, &d);
         if (!isfinite(w)) {
           ++result.rejected;
           w = 0.0f;

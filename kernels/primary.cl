@@ -41,8 +41,9 @@ float3 triangle_normal(float3 p0, float3 p1, float3 p2) {
 }
 
 void write_surface_point(__global SurfacePoint* out, __global const float* positions, __global const uint* triangles,
-                         __global const float* normals, __global const uint* triangle_normals, float3 direction,
-                         float distance, uint triangle, float u, float v) {
+                         __global const float* normals, __global const uint* triangle_normals,
+                         __global const uint* triangle_materials, float3 direction, float distance, uint triangle,
+                         float u, float v) {
   if (triangle == 0xffffffffu) {
     out->flags = 0;
     return;
@@ -60,13 +61,14 @@ void write_surface_point(__global SurfacePoint* out, __global const float* posit
   store3(out->view, -direction);
   out->distance = distance;
   store3(out->geometric_normal, geometric);
-  out->material = 0xffffffffu;
+  out->material = MATERIALS ? triangle_materials[triangle] : 0xffffffffu;
 }
 
 // Camera samples [task.first_sample, + p.samples) of each task's pixel: one SurfacePoint each.
 __kernel void primary(BVH_PARAMS, __global const float* positions, __global const uint* triangles,
-                      __global const float* normals, __global const uint* triangle_normals, CameraParams camera,
-                      EstimatorParams p, __global const Task* tasks, uint task_count, __global SurfacePoint* points) {
+                      __global const float* normals, __global const uint* triangle_normals,
+                      __global const uint* triangle_materials, CameraParams camera, EstimatorParams p,
+                      __global const Task* tasks, uint task_count, __global SurfacePoint* points) {
   uint id = get_global_id(0);
   if (id >= task_count) return;
   Task task = tasks[id];
@@ -89,8 +91,8 @@ __kernel void primary(BVH_PARAMS, __global const float* positions, __global cons
     closest_from(BVH_ARGS, eye, &directions, active, t, triangle, u, v);
     for (uint k = 0; k < count; ++k) {
       float3 d = (float3)(directions.x[k], directions.y[k], directions.z[k]);
-      write_surface_point(points + task.point + begin + k, positions, triangles, normals, triangle_normals, d, t[k],
-                          triangle[k], u[k], v[k]);
+      write_surface_point(points + task.point + begin + k, positions, triangles, normals, triangle_normals,
+                          triangle_materials, d, t[k], triangle[k], u[k], v[k]);
     }
   }
 }

@@ -10,6 +10,7 @@ using Command = std::function<int()>;
 
 void add_render_command(CLI::App& app, Command& chosen);
 void add_probe_command(CLI::App& app, Command& chosen);
+void add_plan_command(CLI::App& app, Command& chosen);
 void add_info_command(CLI::App& app, Command& chosen);
 void add_merge_command(CLI::App& app, Command& chosen);
 void add_compare_command(CLI::App& app, Command& chosen);

@@ -42,6 +42,8 @@ Scene probe_scene(const ProbeOptions& options) {
     throw Error(ExitCode::usage, "--effect: a probe needs ao or ro");
   if (effect.kind == EffectKind::ao && (effect.sampling == Sampling::lobe || effect.sampling == Sampling::mixture))
     throw Error(ExitCode::usage, fmt::format("--sampling: {} needs --effect ro", name_of(effect.sampling)));
+  if (effect.kind == EffectKind::ro && effect.exponent_of_material)
+    throw Error(ExitCode::usage, "points have no material: --exponent gives the one to use");
   scene.effects = {effect};
   scene.spp = 1;
   scene.directions = options.samples;

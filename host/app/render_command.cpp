@@ -11,12 +11,14 @@
 #include "app/progress.hpp"
 #include "app/scene_options.hpp"
 #include "base/error.hpp"
+#include "base/libraries.hpp"
 #include "bvh/bvh.hpp"
 #include "film/checkpoint.hpp"
 #include "film/exr.hpp"
 #include "film/png.hpp"
 #include "mesh/mesh_analysis.hpp"
 #include "mesh/obj_loader.hpp"
+#include "render/layers.hpp"
 #include "render/path_tracer.hpp"
 #include "render/picture.hpp"
 #include "render/session.hpp"
@@ -85,6 +87,15 @@ std::vector<std::uint32_t> row_major(const PixelRect& window, int width) {
   return pixels;
 }
 
+// The channels that one point at each pixel's centre gives: AOVs and layers of type normal, position and depth.
+std::vector<Channel> surface_under_pixels(PathTracer& tracer, const Plan& plan, const AovRequest& aovs) {
+  if (!plan.surface) return {};
+  const std::vector<SurfacePoint> points = tracer.surface_points(row_major(plan.window, plan.width));
+  std::vector<Channel> channels = surface_channels(plan, aovs, points);
+  add_surface_layers(plan, points, channels);
+  return channels;
+}
+
 // A part that can be continued, less what only its end knows.
 FilmPart::Texts as_texts(const std::map<std::string, std::string>& metadata) { return {metadata.begin(), metadata.end()}; }
 
@@ -111,6 +122,20 @@ void run_session(Session& session, const SampleBox& share, CheckpointWriter& wri
   throw Error(ExitCode::interrupted, "interrupted" + writer.what_is_kept(session));
 }
 
+// Writes the picture (a shard has none yet) and the record.
+void finish(const RenderOptions& options, const fs::path& output, Image& image, Stopwatch& watch, Stopwatch& whole, RunRecord& record) {
+  if (!image.channels.empty()) {
+    image.metadata = record.metadata();
+    write_exr(output, image);
+    if (options.png) write_png(fs::path(output).replace_extension(".png"), image);
+  }
+  record.seconds.write = watch.lap();
+  record.seconds.total = whole.lap();
+  record.libraries = mapped_libraries();
+  if (!options.stats.empty()) write_stats(options.stats, record);
+  if (!options.quiet) announce_end(record, output);
+}
+
 int render(const RenderOptions& options) {
   const Scene scene = options.scene.load();
   if (options.print_config) {
@@ -130,9 +155,9 @@ int render(const RenderOptions& options) {
   Stopwatch whole, watch;
   RunRecord record;
   record.scene_file = options.scene.scene.string();
-  const TriangleMesh mesh = load_obj(scene.mesh_file);
+  const TriangleMesh mesh = load_obj(scene.mesh_file, needed_attributes(scene, aovs.needs_surface()));
   record.seconds.load = watch.lap();
-  record.plan = make_plan(scene, mesh);
+  record.plan = make_plan(scene, mesh, aovs.needs_surface());
   record.triangles = mesh.triangles.size();
   const Device device = options.device.open();
   record.device = device.info();
@@ -146,6 +171,17 @@ int render(const RenderOptions& options) {
   record.scene_hash = scene_hash(scene);
   record.mesh_hash = mesh_hash(mesh);
 
+  if (record.plan.effects.empty()) {
+    if (shard) throw Error(ExitCode::usage, "--shard: the scene has no effect with samples to share");
+    Image image{record.plan.window.width(), record.plan.window.height(), surface_under_pixels(tracer, record.plan, aovs), {}};
+    record.seconds.render = watch.lap();
+    record.counts.camera_rays = tracer.counters().camera_rays;
+    record.bytes_uploaded = device.bytes_uploaded();
+    record.kernels_built = tracer.programs();
+    finish(options, output, image, watch, whole, record);
+    return 0;
+  }
+
   Session session(tracer, record.plan, film_identity(record.plan, record.device, record.scene_hash, record.mesh_hash));
   std::error_code code;
   if (options.checkpoints.resume && fs::exists(writer.file(), code)) session.resume(read_film_part(writer.file()), writer.file().string());
@@ -156,8 +192,7 @@ int render(const RenderOptions& options) {
 
   catch_interrupts();
   run_session(session, session.share(shard.value_or(Share{})), writer, mode);
-  if (aovs.needs_surface())
-    session.part().surface = surface_channels(record.plan, aovs, tracer.surface_points(row_major(record.plan.window, record.plan.width)));
+  session.part().surface = surface_under_pixels(tracer, record.plan, aovs);
   watch.lap();
 
   FilmPart& part = session.part();
@@ -165,17 +200,13 @@ int render(const RenderOptions& options) {
   record.launches = tracer.counters().launches;
   record.seconds.render = part.render_seconds;
   record.bytes_uploaded = device.bytes_uploaded();
+  record.kernels_built = tracer.programs();
+  record.effect_rays = tracer.counters().effect_rays;
   part.metadata = as_texts(record.metadata());
   writer.write(session);
-  if (!shard) {
-    const Image image = make_picture(part);
-    write_exr(output, image);
-    if (options.png) write_png(fs::path(output).replace_extension(".png"), image);
-  }
-  record.seconds.write = watch.lap();
-  record.seconds.total = whole.lap();
-  if (!options.stats.empty()) write_stats(options.stats, record);
-  if (!options.quiet) announce_end(record, output);
+  Image image;
+  if (!shard) image = make_picture(part);
+  finish(options, output, image, watch, whole, record);
   return 0;
 }
 

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "base/error.hpp"
+#include "render/plan.hpp"
 #include "scene/names.hpp"
 #include "scene/scene_toml.hpp"
 
@@ -29,6 +31,25 @@ std::pair<int, int> parse_size(const std::string& text) {
   if (first != std::errc() || second != std::errc() || stop != end || width < 1 || height < 1 || width > 65535 || height > 65535)
     throw Error(ExitCode::usage, fmt::format("--size: '{}' is not WIDTHxHEIGHT with 1 to 65535 pixels each", text));
   return {width, height};
+}
+
+std::string quoted_limit(const DistanceLimit& limit) {
+  return limit.kind == DistanceLimit::Kind::value ? fmt::format("{}", limit.value) : fmt::format("\"{}\"", to_string(limit));
+}
+
+// The keys of one effect.
+std::string effect_toml(const Effect& e) {
+  std::string out = fmt::format("type = \"{}\"\n", name_of(e.kind));
+  if (is_surface(e.kind)) return out;
+  if (e.kind == EffectKind::ssao) {
+    out += fmt::format("method = \"{}\"\nradius = {}\nbias = {}\nsamples = {}\nrange_check = {}\n", name_of(e.ssao.method),
+                       e.ssao.radius > 0 ? fmt::format("{}", e.ssao.radius) : "\"auto\"", e.ssao.bias, e.ssao.samples, e.ssao.range_check);
+    if (e.ssao.quality) out += fmt::format("quality = \"{}\"\n", name_of(*e.ssao.quality));
+    return out;
+  }
+  out += fmt::format("sampling_type = \"{}\"\nmax_distance = {}\n", name_of(e.sampling), quoted_limit(e.max_distance));
+  if (e.kind == EffectKind::ro) out += e.exponent_of_material ? "exponent = \"material\"\n" : fmt::format("exponent = {}\n", e.exponent);
+  return out;
 }
 
 }  // namespace
@@ -55,7 +76,10 @@ Scene SceneOptions::load() const {
   if (sampler) loaded.sampler = chosen<Sampler>("--sampler", *sampler, sampler_names);
   for (Effect& effect : loaded.effects) {
     if (sampling) effect.sampling = chosen<Sampling>("--sampling", *sampling, sampling_names);
-    if (exponent) effect.exponent = *exponent;
+    if (exponent) {
+      effect.exponent = *exponent;
+      effect.exponent_of_material = false;
+    }
     if (max_distance) {
       const auto limit = parse_distance_limit(*max_distance);
       if (!limit) throw Error(ExitCode::usage, fmt::format("--max-distance: '{}' is not auto, none or a distance of at least 0", *max_distance));
@@ -82,26 +106,23 @@ Device DeviceOptions::open() const {
 
 std::string to_toml(const Scene& s) {
   auto point = [](const vec3& p) { return fmt::format("[{}, {}, {}]", p.x, p.y, p.z); };
-  auto quoted_limit = [](const DistanceLimit& l) {
-    return l.kind == DistanceLimit::Kind::value ? fmt::format("{}", l.value) : fmt::format("\"{}\"", to_string(l));
-  };
   std::string out = fmt::format("[input]\nobjfile = \"{}\"\n\n", s.mesh_file.string());
   if (!s.automatic_camera)
     out += fmt::format("[camera]\neye = {}\nat = {}\nup = {}\nfov = {}\n\n", point(s.camera.eye), point(s.camera.at), point(s.camera.up), s.camera.fov);
   out += fmt::format("[film]\nwidth = {}\nheight = {}\n", s.width, s.height);
   if (s.crop) out += fmt::format("crop = [{}, {}, {}, {}]  # x0, x1, y0, y1\n", s.crop->x0, s.crop->x1, s.crop->y0, s.crop->y1);
-  const Effect& e = s.effects.front();
-  out += fmt::format("\n[renderer]\nrealtime = {}\ntype = \"{}\"\n", s.realtime, name_of(e.kind));
-  if (e.kind == EffectKind::ssao) {
-    out += fmt::format("method = \"{}\"\nradius = {}\nbias = {}\nsamples = {}\nrange_check = {}\n", name_of(e.ssao.method),
-                       e.ssao.radius > 0 ? fmt::format("{}", e.ssao.radius) : "\"auto\"", e.ssao.bias, e.ssao.samples, e.ssao.range_check);
-    if (e.ssao.quality) out += fmt::format("quality = \"{}\"\n", name_of(*e.ssao.quality));
-    return out;
-  }
-  out += fmt::format("spp = {}\ndirections = {}\nsampling_type = \"{}\"\nsampler = \"{}\"\nseed = {}\nmax_distance = {}\n", s.spp,
-                     s.directions, name_of(e.sampling), name_of(s.sampler), s.seed, quoted_limit(e.max_distance));
-  if (e.kind == EffectKind::ro) out += e.exponent_of_material ? "exponent = \"material\"\n" : fmt::format("exponent = {}\n", e.exponent);
+  const bool single = s.effects.size() == 1 && s.effects.front().name.empty();
+  out += fmt::format("\n[renderer]\nrealtime = {}\n", s.realtime);
+  if (single) out += effect_toml(s.effects.front());
+  if (std::any_of(s.effects.begin(), s.effects.end(), [](const Effect& e) { return e.kind != EffectKind::ssao; }))
+    out += fmt::format("spp = {}\ndirections = {}\nsampler = \"{}\"\nseed = {}\n", s.spp, s.directions, name_of(s.sampler), s.seed);
   if (s.compat_tinyrender) out += "compat = \"tinyrender\"\n";
+  if (single) return out;
+  for (const Effect& effect : s.effects) {
+    out += "\n[[effect]]\n";
+    if (!effect.name.empty()) out += fmt::format("name = \"{}\"\n", effect.name);
+    out += effect_toml(effect);
+  }
   return out;
 }
 

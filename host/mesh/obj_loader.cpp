@@ -8,9 +8,13 @@
 #include <cstring>
 #include <fstream>
 #include <istream>
+#include <iterator>
+#include <set>
+#include <sstream>
 #include <streambuf>
 
 #include "base/error.hpp"
+#include "mesh/mtl_scan.hpp"
 #include "mesh/obj_scan.hpp"
 
 namespace nook {
@@ -29,13 +33,18 @@ class MaterialFiles : public tinyobj::MaterialReader {
                   std::string* warn, std::string* err) override {
     std::error_code code;
     if (!std::filesystem::is_regular_file(folder_ / id, code)) return false;
-    std::ifstream in(folder_ / id);
-    tinyobj::LoadMtl(map, materials, &in, warn, err);
+    std::ifstream in(folder_ / id, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    with_lobe_.merge(materials_with_lobe(text, (folder_ / id).string()));
+    std::istringstream again(text);
+    tinyobj::LoadMtl(map, materials, &again, warn, err);
     return true;
   }
+  bool has_lobe(const std::string& material) const { return with_lobe_.contains(material); }
 
  private:
   std::filesystem::path folder_;
+  std::set<std::string> with_lobe_;
 };
 
 std::string read_text(const std::filesystem::path& path) {
@@ -160,7 +169,7 @@ TriangleMesh load_obj(const std::filesystem::path& path, const MeshAttributes& w
     mesh.triangle_normals.clear();
     mesh.report.normals_replaced = 0;
   }
-  for (const tinyobj::material_t& m : materials) mesh.materials.push_back({m.name, m.shininess, m.alpha_texname});
+  for (const tinyobj::material_t& m : materials) mesh.materials.push_back({m.name, material_files.has_lobe(m.name) ? m.shininess : -1.0f, m.alpha_texname});
   if (mesh.triangles.empty())
     throw Error(ExitCode::scene,
                 mesh.report.non_finite_dropped

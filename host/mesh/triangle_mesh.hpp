@@ -13,7 +13,7 @@ namespace nook {
 /// A surface's material, from the MTL file. Only what an effect can read is kept.
 struct Material {
   std::string name;
-  float phong_exponent = -1.0f;  ///< Ns; negative: the material has no lobe
+  float phong_exponent = -1.0f;  ///< Ns; negative: the material has no lobe (no Ns, or Ks 0 0 0)
   std::string opacity_map;       ///< map_d, path as resolved; empty: opaque
 };
 

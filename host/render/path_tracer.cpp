@@ -56,34 +56,25 @@ PathTracer::PathTracer(const Device& device, const Plan& plan, const TriangleMes
       leaves_(device.input(bvh.leaves)),
       positions_(device.input(mesh.positions)),
       triangles_(device.input(mesh.triangles)) {
-  if (plan_.vertex_normals) {
-    normals_ = device.input(mesh.normals);
-    triangle_normals_ = device.input(mesh.triangle_normals);
-  } else {
-    normals_ = device.buffer(0, CL_MEM_READ_ONLY);
-    triangle_normals_ = device.buffer(0, CL_MEM_READ_ONLY);
-  }
-  BuildOptions options;
-  options.define("SAMPLER", long(plan_.sampler)).define("VERTEX_NORMALS", plan_.vertex_normals);
-  primary_program_ = build_program(device, kernel_source("primary.cl"), options);
-  primary_ = primary_program_.kernel("primary");
-  build_seconds_ = primary_program_.seconds;
-  all_from_cache_ = primary_program_.from_cache;
-  for (const EffectPlan& effect : plan_.effects) effects_.push_back(build_effect(effect));
+  // What no kernel reads is not uploaded; an argument needs a buffer all the same.
+  const auto optional = [&](bool wanted, const auto& data) { return wanted ? device.input(data) : device.buffer(0, CL_MEM_READ_ONLY); };
+  normals_ = optional(plan_.vertex_normals, mesh.normals);
+  triangle_normals_ = optional(plan_.vertex_normals, mesh.triangle_normals);
+  triangle_materials_ = optional(plan_.materials, mesh.triangle_material);
+  exponents_ = optional(!plan_.exponents.empty(), plan_.exponents);
+  primary_ = build(primary_kernel(plan_));
+  for (const EffectPlan& effect : plan_.effects) effects_.push_back(build(occlusion_kernel(plan_, effect)));
+  counters_.effect_rays.resize(effects_.size());
 }
 
-PathTracer::EffectProgram PathTracer::build_effect(const EffectPlan& effect) {
-  BuildOptions options;
-  options.define("EFFECT", effect.effect.kind == EffectKind::ro)
-      .define("SAMPLING", long(effect.effect.sampling))
-      .define("SAMPLER", long(plan_.sampler))
-      .define("REPLICATE_DIRECTIONS", plan_.replicate_directions);
-  EffectProgram made;
-  made.program = build_program(device_, kernel_source("occlusion.cl"), options);
-  made.occlusion = made.program.kernel("occlusion");
-  build_seconds_ += made.program.seconds;
-  all_from_cache_ = all_from_cache_ && made.program.from_cache;
-  return made;
+ClKernel PathTracer::build(const KernelPlan& kernel) {
+  const auto [place, fresh] = programs_.try_emplace(kernel.file + kernel.options.text());
+  if (fresh) {
+    place->second = build_program(device_, kernel_source(kernel.file), kernel.options);
+    build_seconds_ += place->second.seconds;
+    all_from_cache_ = all_from_cache_ && place->second.from_cache;
+  }
+  return place->second.kernel(kernel.entry.c_str());
 }
 
 EstimatorParams PathTracer::params_for(const EffectPlan& effect, const Batch& batch) const {
@@ -131,7 +122,7 @@ void PathTracer::submit(Slot& slot) {
     }
     points = slot.points.get();
     cl_uint arg = 0;
-    for (const ClBuffer* buffer : {&nodes_, &leaves_, &positions_, &triangles_, &normals_, &triangle_normals_})
+    for (const ClBuffer* buffer : {&nodes_, &leaves_, &positions_, &triangles_, &normals_, &triangle_normals_, &triangle_materials_})
       set_arg(primary_.get(), arg, *buffer);
     set_arg(primary_.get(), arg, plan_.camera);
     set_arg(primary_.get(), arg, params_for(EffectPlan{}, batch));
@@ -142,7 +133,7 @@ void PathTracer::submit(Slot& slot) {
   }
   slot.host_results.resize(effects_.size());
   for (std::size_t e = 0; e < effects_.size(); ++e) {
-    const cl_kernel kernel = effects_[e].occlusion.get();
+    const cl_kernel kernel = effects_[e].get();
     cl_uint arg = 0;
     set_arg(kernel, arg, nodes_);
     set_arg(kernel, arg, leaves_);
@@ -151,6 +142,7 @@ void PathTracer::submit(Slot& slot) {
     set_arg(kernel, arg, count);
     set_arg(kernel, arg, points);
     set_arg(kernel, arg, slot.results[e]);
+    set_arg(kernel, arg, exponents_);
     launch(kernel, count);
     slot.host_results[e].resize(count);
   }
@@ -176,6 +168,7 @@ void PathTracer::harvest(Slot& slot, std::span<Film> films) {
         film.hits[i] += results[t].hits;
       }
       counters_.occlusion_rays += results[t].rays;
+      counters_.effect_rays[e] += results[t].rays;
       counters_.rejected += results[t].rejected;
     }
   }
@@ -300,7 +293,7 @@ std::vector<SurfacePoint> PathTracer::surface_points(std::span<const std::uint32
     const ClBuffer task_buffer = device_.input(tasks);
     const ClBuffer out = device_.buffer(count * sizeof(SurfacePoint));
     cl_uint arg = 0;
-    for (const ClBuffer* buffer : {&nodes_, &leaves_, &positions_, &triangles_, &normals_, &triangle_normals_})
+    for (const ClBuffer* buffer : {&nodes_, &leaves_, &positions_, &triangles_, &normals_, &triangle_normals_, &triangle_materials_})
       set_arg(primary_.get(), arg, *buffer);
     set_arg(primary_.get(), arg, plan_.camera);
     set_arg(primary_.get(), arg, params);

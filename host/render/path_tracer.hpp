@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "bvh/bvh.hpp"
@@ -12,6 +14,7 @@
 #include "kernels/shared/surface_point.h"
 #include "kernels/shared/task.h"
 #include "kernels/shared/task_result.h"
+#include "render/kernel_plan.hpp"
 #include "render/plan.hpp"
 
 namespace nook {
@@ -22,6 +25,7 @@ struct RenderCounters {
   std::uint64_t occlusion_rays = 0;
   std::uint64_t rejected = 0;  ///< estimates that were not finite: kept out of the film
   std::uint64_t launches = 0;
+  std::vector<std::uint64_t> effect_rays;  ///< occlusion_rays by effect, in the plan's order
 };
 
 /// Samples [first, first + count) of a pixel: of its Plan::samples_per_pixel() camera rays or, with one camera ray a pixel,
@@ -65,18 +69,15 @@ class PathTracer {
   const RenderCounters& counters() const { return counters_; }
   double build_seconds() const { return build_seconds_; }
   bool all_from_cache() const { return all_from_cache_; }
+  std::size_t programs() const { return programs_.size(); }
 
  private:
-  struct EffectProgram {
-    BuiltProgram program;
-    ClKernel occlusion;
-  };
   struct Batch;
   struct Slot;
   // Fills the next batch; false when there is none.
   using NextBatch = std::function<bool(Batch&)>;
 
-  EffectProgram build_effect(const EffectPlan& effect);
+  ClKernel build(const KernelPlan& kernel);
   EstimatorParams params_for(const EffectPlan& effect, const Batch& batch) const;
   void launch(cl_kernel kernel, std::size_t count);
   void submit(Slot& slot);
@@ -85,10 +86,10 @@ class PathTracer {
 
   const Device& device_;
   Plan plan_;
-  ClBuffer nodes_, leaves_, positions_, triangles_, normals_, triangle_normals_;
-  BuiltProgram primary_program_;
+  ClBuffer nodes_, leaves_, positions_, triangles_, normals_, triangle_normals_, triangle_materials_, exponents_;
+  std::map<std::string, BuiltProgram> programs_;  // by file and options: effects with the same options share one
   ClKernel primary_;
-  std::vector<EffectProgram> effects_;
+  std::vector<ClKernel> effects_;
   RenderCounters counters_;
   double build_seconds_ = 0;
   bool all_from_cache_ = true;

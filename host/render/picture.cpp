@@ -23,11 +23,6 @@ void add_vector(std::vector<Channel>& channels, const std::string& layer, std::s
     });
 }
 
-std::string layer_name(const EffectPlan& effect, std::size_t index) {
-  if (!effect.effect.name.empty()) return effect.effect.name + ".";
-  return index == 0 ? "" : std::string(name_of(effect.effect.kind)) + std::to_string(index + 1) + ".";
-}
-
 }  // namespace
 
 AovRequest parse_aovs(const std::vector<std::string>& names) {
@@ -46,7 +41,7 @@ AovRequest parse_aovs(const std::vector<std::string>& names) {
 
 std::vector<std::string> layer_names(const Plan& plan) {
   std::vector<std::string> names;
-  for (std::size_t e = 0; e < plan.effects.size(); ++e) names.push_back(layer_name(plan.effects[e], e));
+  for (const EffectPlan& effect : plan.effects) names.push_back(effect.layer);
   return names;
 }
 
@@ -82,6 +77,8 @@ Image make_picture(const FilmPart& part) {
       add_plane(image.channels, of_effect + "samples", film.pixels(), [&](std::size_t i) { return film.replicates[i] * film.per_replicate; });
   }
   image.channels.insert(image.channels.end(), part.surface.begin(), part.surface.end());
+  if (!image.find("R"))
+    for (const char* channel : {"R", "G", "B"}) image.channels.push_back({channel, image.channels.front().values});
   image.metadata = {part.metadata.begin(), part.metadata.end()};
   return image;
 }

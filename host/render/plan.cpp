@@ -6,13 +6,13 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "scene/names.hpp"
 
 namespace nook {
 namespace {
 
 // The largest weight that kernels/ambient.cl and kernels/reflection.cl can return.
-double weight_bound(const Effect& effect) {
-  const double n = effect.exponent;
+double weight_bound(const Effect& effect, double n) {
   if (effect.kind == EffectKind::ao)
     return effect.sampling == Sampling::sphere ? 4 : effect.sampling == Sampling::hemisphere ? 2 : 1;
   switch (effect.sampling) {
@@ -51,10 +51,55 @@ Camera framing_camera(const Scene& scene, const Bounds3& bounds) {
   return camera;
 }
 
+bool any_lobe_of_material(const Scene& scene) {
+  return std::any_of(scene.effects.begin(), scene.effects.end(),
+                     [](const Effect& e) { return e.kind == EffectKind::ro && e.exponent_of_material; });
+}
+
+const Effect& main_effect(const Scene& scene) {
+  const auto found = std::find_if(scene.effects.begin(), scene.effects.end(), [](const Effect& e) { return e.kind != EffectKind::ssao; });
+  return found == scene.effects.end() ? scene.effects.front() : *found;
+}
+
+// The effect's own name, else its type, numbered if that is taken; an unnamed main effect needs none.
+std::string layer_prefix(const Scene& scene, const Effect& effect, const std::vector<LayerPlan>& before) {
+  if (!effect.name.empty()) return effect.name + ".";
+  if (&effect == &main_effect(scene)) return "";
+  const std::string type(name_of(effect.kind));
+  const auto taken = [&](const std::string& name) {
+    return std::any_of(scene.effects.begin(), scene.effects.end(), [&](const Effect& e) { return e.name == name; }) ||
+           std::any_of(before.begin(), before.end(), [&](const LayerPlan& l) { return l.prefix == name + "."; });
+  };
+  std::string name = type;
+  for (int number = 2; taken(name); ++number) name = type + std::to_string(number);
+  return name + ".";
+}
+
+std::vector<float> exponents_of(const Scene& scene, const TriangleMesh& mesh) {
+  std::vector<float> exponents;
+  for (const Material& material : mesh.materials) exponents.push_back(material.phong_exponent);
+  if (std::none_of(exponents.begin(), exponents.end(), [](float n) { return n >= 0; }))
+    throw Error(ExitCode::scene, scene.file.string() + ": exponent = \"material\" needs a material with a lobe (Ns in the MTL file), and " +
+                                     scene.mesh_file.string() + " has none");
+  return exponents;
+}
+
 }  // namespace
 
+Camera resolve_camera(const Scene& scene, const Bounds3& bounds) {
+  return scene.automatic_camera ? framing_camera(scene, bounds) : scene.camera;
+}
+
+MeshAttributes needed_attributes(const Scene& scene, bool surface) {
+  MeshAttributes needs{.normals = surface};
+  for (const Effect& effect : scene.effects)
+    needs.normals = needs.normals || (effect.kind != EffectKind::position && effect.kind != EffectKind::depth);
+  needs.materials = any_lobe_of_material(scene);
+  return needs;
+}
+
 CameraParams camera_params(const Scene& scene, const Bounds3& bounds) {
-  const Camera camera = scene.automatic_camera ? framing_camera(scene, bounds) : scene.camera;
+  const Camera camera = resolve_camera(scene, bounds);
   const dvec3 forward = glm::normalize(dvec3(camera.at) - dvec3(camera.eye));
   const dvec3 right = glm::normalize(glm::cross(forward, dvec3(camera.up)));
   const double tangent = std::tan(camera.fov * std::numbers::pi / 360);
@@ -82,14 +127,14 @@ float resolve_distance(const Effect& effect, const Bounds3& bounds, bool compat_
   }
 }
 
-void choose_scales(EffectPlan& effect) {
-  effect.weight_bound = weight_bound(effect.effect);
+void choose_scales(EffectPlan& effect, float largest_exponent) {
+  effect.weight_bound = weight_bound(effect.effect, largest_exponent);
   const int bits = std::max(0, int(std::ceil(std::log2(effect.weight_bound))) - 2);
   effect.sum_scale = std::ldexp(1.0f, 32 - bits);
   effect.square_scale = std::ldexp(1.0f, 30 - 2 * bits);
 }
 
-Plan make_plan(const Scene& scene, const TriangleMesh& mesh) {
+Plan make_plan(const Scene& scene, const TriangleMesh& mesh, bool surface) {
   Plan plan;
   plan.camera = camera_params(scene, mesh.bounds);
   plan.width = scene.width;
@@ -100,15 +145,27 @@ Plan make_plan(const Scene& scene, const TriangleMesh& mesh) {
   plan.replicate_directions = scene.spp == 1;
   plan.sampler = scene.sampler;
   plan.seed = scene.seed;
-  plan.vertex_normals = mesh.has_normals();
+  plan.surface = surface;
+  if (any_lobe_of_material(scene)) plan.exponents = exponents_of(scene, mesh);
+  plan.materials = !plan.exponents.empty();
   for (const Effect& effect : scene.effects) {
-    if (effect.kind != EffectKind::ao && effect.kind != EffectKind::ro) continue;
-    EffectPlan planned;
-    planned.effect = effect;
-    planned.max_distance = resolve_distance(effect, mesh.bounds, scene.compat_tinyrender);
-    choose_scales(planned);
-    plan.effects.push_back(planned);
+    const LayerPlan layer{effect.kind, layer_prefix(scene, effect, plan.layers), &effect == &main_effect(scene)};
+    if (is_surface(effect.kind)) {
+      plan.surface = true;
+    } else if (effect.kind == EffectKind::ssao) {
+      plan.ssao.push_back(effect.ssao);
+    } else {
+      EffectPlan planned;
+      planned.layer = layer.prefix;
+      planned.effect = effect;
+      planned.max_distance = resolve_distance(effect, mesh.bounds, scene.compat_tinyrender);
+      choose_scales(planned, effect.exponent_of_material ? *std::max_element(plan.exponents.begin(), plan.exponents.end())
+                                                         : effect.exponent);
+      plan.effects.push_back(planned);
+    }
+    plan.layers.push_back(layer);
   }
+  plan.vertex_normals = mesh.has_normals() && plan.needs_opencl() && needed_attributes(scene, surface).normals;
   return plan;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kernels/shared/camera.h"
+#include "mesh/obj_loader.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "scene/scene.hpp"
 
@@ -17,6 +18,19 @@ struct EffectPlan {
   double weight_bound = 1;        ///< no sample's weight exceeds it
   float sum_scale = 1;            ///< of Film::sum
   float square_scale = 1;         ///< of Film::sum_square
+  std::string layer;              ///< see LayerPlan::prefix
+};
+
+/// What the camera sees, without occlusion: normal, position, depth.
+inline bool is_surface(EffectKind kind) {
+  return kind == EffectKind::normal || kind == EffectKind::position || kind == EffectKind::depth;
+}
+
+/// One layer of the picture, in the scene's order.
+struct LayerPlan {
+  EffectKind kind = EffectKind::ao;
+  std::string prefix;  ///< of its EXR channels: "contact."; empty for a main layer without a name
+  bool main = false;   ///< R, G, B: the first layer (an SSAO layer only if there is nothing else)
 };
 
 /// Everything that follows from a scene and its mesh: scene -> plan -> kernels, buffers, launches.
@@ -30,7 +44,14 @@ struct Plan {
   Sampler sampler = Sampler::sobol;
   std::uint32_t seed = 0;
   bool vertex_normals = false;       ///< uploaded and interpolated
+  bool materials = false;            ///< each triangle's material is uploaded, and surface points know theirs
+  bool surface = false;              ///< the surface at the pixels' centres is read back: normal, position, depth
   std::vector<EffectPlan> effects;   ///< the path-traced ones
+  std::vector<SsaoSettings> ssao;    ///< the screen-space ones
+  std::vector<LayerPlan> layers;     ///< all of them, as the picture holds them
+  std::vector<float> exponents;      ///< Phong exponent by material, negative without a lobe; empty unless an effect reads it
+
+  bool needs_opencl() const { return surface || !effects.empty(); }
 
   /// What a pixel's samples are counted in: camera rays or, with one camera ray a pixel, directions.
   std::uint32_t samples_per_pixel() const { return replicate_directions ? directions : spp; }
@@ -41,13 +62,15 @@ struct Plan {
   }
 };
 
-/// Which attributes of the mesh the scene's effects read.
-struct MeshNeeds {
-  bool normals = false, uvs = false, materials = false, groups = false;
-};
+/// What of the mesh file the scene's effects read. `surface`: normals are asked for beside the effects.
+MeshAttributes needed_attributes(const Scene& scene, bool surface = false);
 
-/// The plan of a validated scene. Throws Error(scene) if the mesh cannot carry it out (a lobe by material without materials).
-Plan make_plan(const Scene& scene, const TriangleMesh& mesh);
+/// The plan of a validated scene. `surface`: the surface at the pixels' centres is asked for beside the effects.
+/// Throws Error(scene) if the mesh cannot carry it out (a lobe by material without materials).
+Plan make_plan(const Scene& scene, const TriangleMesh& mesh, bool surface = false);
+
+/// The camera of a scene: its own, or the automatic one, which frames `bounds`.
+Camera resolve_camera(const Scene& scene, const Bounds3& bounds);
 
 /// The camera as the kernels use it. `scene` must be validated; the automatic camera frames `bounds`.
 CameraParams camera_params(const Scene& scene, const Bounds3& bounds);
@@ -56,7 +79,8 @@ CameraParams camera_params(const Scene& scene, const Bounds3& bounds);
 /// literally), 1.5 with compat = "tinyrender", infinity for RO.
 float resolve_distance(const Effect& effect, const Bounds3& bounds, bool compat_tinyrender);
 
-/// Fixed-point scales for weights up to `weight_bound`: 2^28 samples of the largest weight fit 64 bits.
-void choose_scales(EffectPlan& effect);
+/// Fixed-point scales for weights up to `weight_bound`: 2^28 samples of the largest weight fit 64 bits. RO: the largest
+/// exponent that any surface has bounds the weight.
+void choose_scales(EffectPlan& effect, float largest_exponent);
 
 }  // namespace nook

@@ -20,7 +20,10 @@ nlohmann::json effect_json(const EffectPlan& effect) {
     json["max_distance"] = "none";
   else
     json["max_distance"] = effect.max_distance;
-  if (effect.effect.kind == EffectKind::ro) json["exponent"] = effect.effect.exponent;
+  if (effect.effect.kind == EffectKind::ro && effect.effect.exponent_of_material)
+    json["exponent"] = "material";
+  else if (effect.effect.kind == EffectKind::ro)
+    json["exponent"] = effect.effect.exponent;
   return json;
 }
 
@@ -43,7 +46,8 @@ std::map<std::string, std::string> RunRecord::metadata() const {
     m[prefix + "effect"] = name_of(effect.effect.kind);
     m[prefix + "sampling"] = name_of(effect.effect.sampling);
     m[prefix + "max_distance"] = distance_text(effect.max_distance);
-    if (effect.effect.kind == EffectKind::ro) m[prefix + "exponent"] = fmt::format("{}", effect.effect.exponent);
+    if (effect.effect.kind == EffectKind::ro)
+      m[prefix + "exponent"] = effect.effect.exponent_of_material ? "material" : fmt::format("{}", effect.effect.exponent);
   }
   m["nook/device"] = device.name;
   m["nook/driver"] = device.platform_name + " " + device.driver;
@@ -77,7 +81,9 @@ void write_stats(const std::filesystem::path& path, const RunRecord& r) {
       {"device", {{"name", r.device.name}, {"platform", r.device.platform_name}, {"driver", r.device.driver}}},
       {"triangles", r.triangles},
       {"bytes_uploaded", r.bytes_uploaded},
+      {"kernels_built", r.kernels_built},
       {"kernels_from_cache", r.kernels_from_cache},
+      {"libraries", r.libraries},
       {"rays", {{"camera", r.counts.camera_rays}, {"occlusion", r.counts.occlusion_rays}}},
       {"rejected_samples", r.counts.rejected},
       {"launches", r.launches},
@@ -88,7 +94,10 @@ void write_stats(const std::filesystem::path& path, const RunRecord& r) {
         {"render", r.seconds.render},
         {"write", r.seconds.write},
         {"total", r.seconds.total}}}};
-  for (const EffectPlan& effect : r.plan.effects) json["effects"].push_back(effect_json(effect));
+  for (std::size_t e = 0; e < r.plan.effects.size(); ++e) {
+    json["effects"].push_back(effect_json(r.plan.effects[e]));
+    if (e < r.effect_rays.size()) json["effects"].back()["rays"] = r.effect_rays[e];
+  }
   const std::string text = json.dump(2) + '\n';
   PendingFile file(path);
   file.write(text.data(), text.size());

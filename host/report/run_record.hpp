@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "device/device.hpp"
 #include "film/film_part.hpp"
@@ -28,6 +29,9 @@ struct RunRecord {
   std::uint64_t launches = 0;
   std::uint64_t triangles = 0;
   std::uint64_t bytes_uploaded = 0;
+  std::vector<std::uint64_t> effect_rays;  ///< occlusion rays by effect, of this process
+  std::uint64_t kernels_built = 0;      ///< programs, from the cache or not
+  std::vector<std::string> libraries;   ///< of OpenCL, OpenGL and LLVM, mapped at the end
   bool kernels_from_cache = false;
   bool complete = true;
 

@@ -1,0 +1,101 @@
+#include "render/plan_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "kernels/shared/task.h"
+#include "scene/names.hpp"
+
+namespace nook {
+namespace {
+
+template <class T>
+std::uint64_t bytes_of(const std::vector<T>& values) {
+  return values.size() * sizeof(T);
+}
+
+void add_passes(const Plan& plan, const TriangleMesh& mesh, PlanReport& report) {
+  if (plan.needs_opencl()) report.passes.push_back({"tree", fmt::format("over {} triangles", mesh.triangles.size()), 0});
+  const std::uint64_t pixels = std::uint64_t(plan.window.width()) * std::uint64_t(plan.window.height());
+  if (!plan.effects.empty())
+    report.passes.push_back({"primary", fmt::format("camera rays to surface points, for {}", plan.effects.size() == 1
+                                                                                               ? "one effect"
+                                                                                               : fmt::format("{} effects together", plan.effects.size())),
+                             pixels * plan.spp});
+  for (const EffectPlan& effect : plan.effects)
+    report.passes.push_back({"occlusion", fmt::format("{} into {}", name_of(effect.effect.kind), effect.layer.empty() ? "R,G,B" : effect.layer + "*"),
+                             pixels * plan.spp * plan.directions});
+  if (plan.surface) report.passes.push_back({"surface", "the surface at the pixels' centres", pixels});
+  for (std::size_t i = 0; i < plan.ssao.size(); ++i) report.passes.push_back({"ssao", std::string(name_of(plan.ssao[i].method)), 0});
+}
+
+void add_kernels(const Plan& plan, PlanReport& report) {
+  if (!plan.needs_opencl()) return;
+  report.kernels.push_back(primary_kernel(plan));
+  for (const EffectPlan& effect : plan.effects) {
+    KernelPlan kernel = occlusion_kernel(plan, effect);
+    const bool known = std::any_of(report.kernels.begin(), report.kernels.end(), [&](const KernelPlan& k) {
+      return k.file == kernel.file && k.options.text() == kernel.options.text();
+    });
+    if (!known) report.kernels.push_back(std::move(kernel));
+  }
+}
+
+void add_buffers(const Plan& plan, const TriangleMesh& mesh, const Bvh& bvh, PlanReport& report) {
+  report.buffers = {{"tree nodes", bytes_of(bvh.nodes)},
+                    {"tree leaves", bytes_of(bvh.leaves)},
+                    {"positions", bytes_of(mesh.positions)},
+                    {"triangles", bytes_of(mesh.triangles)}};
+  if (plan.vertex_normals) {
+    report.buffers.push_back({"normals", bytes_of(mesh.normals)});
+    report.buffers.push_back({"triangle normals", bytes_of(mesh.triangle_normals)});
+  }
+  if (plan.surface)
+    report.buffers.push_back({"surface tasks", std::uint64_t(plan.window.width()) * std::uint64_t(plan.window.height()) * sizeof(Task)});
+  if (plan.materials) {
+    report.buffers.push_back({"triangle materials", bytes_of(mesh.triangle_material)});
+    report.buffers.push_back({"exponents", bytes_of(plan.exponents)});
+  }
+}
+
+void add_left_out_rays(const Plan& plan, const TriangleMesh& mesh, PlanReport& report) {
+  auto out = [&](std::string why) { report.left_out.push_back(std::move(why)); };
+  if (plan.effects.empty()) return;
+  out("no occlusion rays where a camera ray hits nothing");
+  const bool below = std::any_of(plan.effects.begin(), plan.effects.end(), [](const EffectPlan& e) {
+    return e.effect.kind == EffectKind::ro || e.effect.sampling == Sampling::sphere;
+  });
+  if (below) out("no ray for a direction under the horizon of the shading normal");
+  for (std::size_t m = 0; m < plan.exponents.size(); ++m)
+    if (plan.exponents[m] < 0) out(fmt::format("no RO rays for material {}: no lobe", mesh.materials[m].name));
+}
+
+void add_left_out(const Scene& scene, const Plan& plan, const TriangleMesh& mesh, PlanReport& report) {
+  auto out = [&](std::string why) { report.left_out.push_back(std::move(why)); };
+  const MeshAttributes read = needed_attributes(scene, plan.surface);
+  if (!plan.needs_opencl()) out("no OpenCL, no kernels, no tree: only SSAO is asked for");
+  if (plan.needs_opencl() && plan.effects.empty()) out("no occlusion rays: no effect asks for any");
+  if (plan.ssao.empty()) out("no OpenGL: no SSAO is asked for");
+  if (!read.normals) out("no vertex normals: no effect reads them");
+  if (read.normals && !mesh.has_normals()) out("no vertex normals: the mesh has none");
+  if (!read.uvs) out("no texture coordinates: no effect reads them");
+  if (!read.materials) out("no materials: no effect reads them");
+  if (!read.groups) out("no groups: no effect reads them");
+  add_left_out_rays(plan, mesh, report);
+}
+
+}  // namespace
+
+PlanReport report_plan(const Scene& scene, const Plan& plan, const TriangleMesh& mesh, const Bvh* bvh) {
+  PlanReport report;
+  add_passes(plan, mesh, report);
+  add_kernels(plan, report);
+  if (bvh) add_buffers(plan, mesh, *bvh, report);
+  if (plan.needs_opencl()) report.libraries.push_back("OpenCL loader and the chosen device's driver");
+  if (!plan.ssao.empty()) report.libraries.push_back("OSMesa");
+  add_left_out(scene, plan, mesh, report);
+  return report;
+}
+
+}  // namespace nook
