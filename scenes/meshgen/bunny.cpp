@@ -57,7 +57,8 @@ Model bunny_on_plane(const std::filesystem::path& file) {
   model.add("bunny", "bunny", shaded(rabbit, 180),
             translate({0, -0.01, 0}) * scale(dvec3(2 / height)) * translate(-foot));
   Part plane;
-  for (const dvec3& p : {dvec3(-8, 0, 8), dvec3(8, 0, 8), dvec3(8, 0, -8), dvec3(-8, 0, -8)}) plane.add(p);
+  for (const dvec3& p : {dvec3(-10, 0, 10), dvec3(10, 0, 10), dvec3(10, 0, -10), dvec3(-10, 0, -10)})
+    plane.add(p);
   plane.quad(0, 1, 2, 3);
   model.add("plane", "ground", plane);
   return model;
