@@ -72,4 +72,9 @@
 #define TRAVERSAL_SCALAR 0
 #endif
 
+// 1: no builtins of a processor, even where it has them.
+#ifndef TRAVERSAL_PORTABLE
+#define TRAVERSAL_PORTABLE 0
+#endif
+
 #endif

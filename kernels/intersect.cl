@@ -1,6 +1,6 @@
 // Ray-triangle intersection, ray-box intersection and the origins of secondary rays: the arithmetic that every
-// traversal shares, one ray and one triangle at a time. The vector forms of traverse_stream.cl compute the same
-// operations in the same order, so that all of them agree to the bit.
+// traversal shares, for one ray and one triangle. The vector forms of traverse_stream.cl compute the same operations in
+// the same order, so that all of them agree to the bit.
 #ifndef NOOK_INTERSECT_CL
 #define NOOK_INTERSECT_CL
 
@@ -20,63 +20,78 @@
 float min_or_second(float a, float b) { return a < b ? a : b; }
 float max_or_second(float a, float b) { return a > b ? a : b; }
 
-// a x b. Exchanging or negating operands negates or keeps the result to the bit only as edge_normal() needs it.
-float3 cross_fma(float3 a, float3 b) {
-  return (float3)(fma(a.y, b.z, -(a.z * b.y)), fma(a.z, b.x, -(a.x * b.z)), fma(a.x, b.y, -(a.y * b.x)));
-}
-
-float dot_fma(float3 a, float3 b) { return fma(a.x, b.x, fma(a.y, b.y, a.z * b.z)); }
-
-// 2 a x b = (a-b) x (a+b), the normal of the plane through the ray origin and the edge a-b (relative to the origin).
-// In this form, exchanging a and b negates every rounding too: the two triangles of an edge see exactly opposite
-// values, and no ray passes between them.
-float3 edge_normal(float3 a, float3 b) { return cross_fma(a - b, a + b); }
-
-// A triangle against all rays of one origin o: p0, p1, p2 seen from o as a, b, c.
-//   A ray along d passes inside when d . (b x c), d . (c x a) and d . (a x b), the Pluecker products of the ray with
-//   the edges, have one sign; they are the barycentric weights of p0, p1, p2 up to scale.
-//   It meets the plane at t = height / approach, height = a . n, approach = d . n, n = (p1-p0) x (p2-p0).
-// Oriented so that height >= 0: then a hit has no negative product, and approach > 0.
+// A ray as the watertight triangle test of Woop, Benthin and Wald (JCGT 2013) needs it: z is the axis that d is
+// longest along; the shear (x + shear_x z, y + shear_y z) sends the ray to the origin of the xy-plane.
 typedef struct {
-  float3 na, nb, nc;  // twice b x c, c x a, a x b
-  float3 n;
-  float height;
-} OrientedTriangle;
+  uint kx, ky, kz;          // which components are x, y, z; d[kz] may be negative, for the test is two-sided
+  float shear_x, shear_y;   // -d[kx]/d[kz], -d[ky]/d[kz]
+  float inverse_z;          // 1/d[kz]
+} RayShear;
 
-OrientedTriangle orient_triangle(float3 o, float3 p0, float3 p1, float3 p2) {
-  const float3 a = p0 - o, b = p1 - o, c = p2 - o;
-  const float3 n = cross_fma(a - c, b - a);
-  const float height = dot_fma(a, n);
-  const float side = height < 0.0f ? -1.0f : 1.0f;
-  OrientedTriangle result;
-  result.na = side * edge_normal(b, c);
-  result.nb = side * edge_normal(c, a);
-  result.nc = side * edge_normal(a, b);
-  result.n = side * n;
-  result.height = side * height;
-  return result;
+float component(float3 v, uint k) { return k == 0 ? v.x : k == 1 ? v.y : v.z; }
+
+RayShear shear_ray(float3 d) {
+  const float3 size = fabs(d);
+  RayShear s;
+  s.kz = size.z >= size.x && size.z >= size.y ? 2u : size.y >= size.x ? 1u : 0u;
+  s.kx = s.kz == 2 ? 0u : s.kz + 1u;
+  s.ky = s.kx == 2 ? 0u : s.kx + 1u;
+  s.inverse_z = 1.0f / component(d, s.kz);
+  s.shear_x = -(component(d, s.kx) * s.inverse_z);
+  s.shear_y = -(component(d, s.ky) * s.inverse_z);
+  return s;
 }
 
-// Whether the open segment o + t d, 0 < t < limit, meets the triangle, from either side; inverse_limit = 1/limit,
-// 0 if unlimited. Degenerate triangles, and those whose plane holds o, are never met.
-bool triangle_occludes(const OrientedTriangle* f, float3 d, float inverse_limit) {
-  const float least_approach = f->height > 0.0f ? f->height * inverse_limit : INFINITY;
-  return dot_fma(d, f->na) >= 0.0f && dot_fma(d, f->nb) >= 0.0f && dot_fma(d, f->nc) >= 0.0f &&
-         dot_fma(d, f->n) > least_approach;
+// Weights wa, wb, wc of the vertices at the ray, all times their sum `det`; t = height / (det d[kz]).
+//   wa = c_x b_y - c_y b_x and cyclic, in the sheared plane. Each difference is of two rounded products and has the
+//   exact sign or is 0, and two triangles compute the same products for the edge they share: no ray passes between
+//   triangles that meet at an edge or a vertex.
+typedef struct {
+  float wa, wb, wc, det, height;
+} ShearedTriangle;
+
+ShearedTriangle shear_triangle(float3 o, const RayShear* s, float3 p0, float3 p1, float3 p2) {
+  const float3 a = p0 - o, b = p1 - o, c = p2 - o;
+  const float az = component(a, s->kz), bz = component(b, s->kz), cz = component(c, s->kz);
+  const float ax = fma(s->shear_x, az, component(a, s->kx)), ay = fma(s->shear_y, az, component(a, s->ky));
+  const float bx = fma(s->shear_x, bz, component(b, s->kx)), by = fma(s->shear_y, bz, component(b, s->ky));
+  const float cx = fma(s->shear_x, cz, component(c, s->kx)), cy = fma(s->shear_y, cz, component(c, s->ky));
+  ShearedTriangle t;
+  t.wa = cx * by - cy * bx;
+  t.wb = ax * cy - ay * cx;
+  t.wc = bx * ay - by * ax;
+  t.det = t.wa + t.wb + t.wc;
+  t.height = fma(t.wa, az, fma(t.wb, bz, t.wc * cz));
+  return t;
+}
+
+// All weights have the sign of det (0 has either).
+bool inside(const ShearedTriangle* t) {
+  return t->det < 0.0f ? t->wa <= 0.0f && t->wb <= 0.0f && t->wc <= 0.0f
+                       : t->wa >= 0.0f && t->wb >= 0.0f && t->wc >= 0.0f;
+}
+
+// height with the sign of t.
+float forward_height(const ShearedTriangle* t, float inverse_z) {
+  return (t->det < 0.0f) != signbit(inverse_z) ? -t->height : t->height;
+}
+
+// Whether the open segment o + t d, 0 < t < max_distance, meets the triangle, from either side; limit_z = max_distance |d[kz]|.
+// A triangle without area (det = 0 for every ray) is never met.
+bool triangle_occludes(float3 o, const RayShear* s, float limit_z, float3 p0, float3 p1, float3 p2) {
+  const ShearedTriangle t = shear_triangle(o, s, p0, p1, p2);
+  const float height = forward_height(&t, s->inverse_z);
+  return inside(&t) && height > 0.0f && height < fabs(t.det) * limit_z;
 }
 
 // The same with the place: true for 0 < t < *limit; then *limit = t and hit = (1-u-v) p0 + u p1 + v p2.
-bool triangle_nearer(const OrientedTriangle* f, float3 d, float* limit, float* u, float* v) {
-  const float wa = dot_fma(d, f->na), wb = dot_fma(d, f->nb), wc = dot_fma(d, f->nc);
-  const float approach = dot_fma(d, f->n);
-  if (!(wa >= 0.0f && wb >= 0.0f && wc >= 0.0f && approach > 0.0f)) return false;
-  const float t = f->height / approach;
-  if (!(t > 0.0f && t < *limit)) return false;
-  const float sum = wa + wb + wc;
-  if (!(sum > 0.0f)) return false;
+bool triangle_nearer(float3 o, const RayShear* s, float3 p0, float3 p1, float3 p2, float* limit, float* u, float* v) {
+  const ShearedTriangle f = shear_triangle(o, s, p0, p1, p2);
+  const float t = f.height * s->inverse_z / f.det;
+  if (!(inside(&f) && t > 0.0f && t < *limit)) return false;
   *limit = t;
-  *u = wb / sum;
-  *v = wc / sum;
+  *u = f.wb / f.det;
+  *v = f.wc / f.det;
   return true;
 }
 

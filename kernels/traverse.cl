@@ -45,23 +45,23 @@ uint occluded_from(BVH_PARAMS, float3 origin, const RayDirections* d, uint activ
 }
 
 uint occluded_rays(BVH_PARAMS, const RayDirections* origins, const RayDirections* d, uint active, float max_distance) {
+  if (!TRAVERSAL_SCALAR) return stream_occluded_rays(BVH_ARGS, origins, d, active, max_distance);
   uint occluded = 0;
   for (uint rest = active; rest; rest &= rest - 1) {
     const uint k = lowest_bit(rest);
-    const float3 origin = ray_direction(origins, k);
-    if (TRAVERSAL_SCALAR)
-      occluded |= occluded_ray(BVH_ARGS, origin, ray_direction(d, k), max_distance) ? 1u << k : 0u;
-    else
-      occluded |= stream_occluded_from(BVH_ARGS, origin, d, 1u << k, max_distance);
+    if (occluded_ray(BVH_ARGS, ray_direction(origins, k), ray_direction(d, k), max_distance)) occluded |= 1u << k;
   }
   return occluded;
 }
 
 void closest_from(BVH_PARAMS, float3 origin, const RayDirections* d, uint active, float* t, uint* triangle, float* u,
                   float* v) {
+  if (!TRAVERSAL_SCALAR) {
+    stream_closest_from(BVH_ARGS, origin, d, active, t, triangle, u, v);
+    return;
+  }
   for (uint rest = active; rest; rest &= rest - 1) {
     const uint k = lowest_bit(rest);
-    triangle[k] = NO_TRIANGLE;
     closest_ray(BVH_ARGS, origin, ray_direction(d, k), &t[k], &triangle[k], &u[k], &v[k]);
   }
 }

@@ -16,15 +16,14 @@ float enter_box(__global const BvhNode* node, uint lane, float3 o, float3 invers
   return enter <= leave * FAR_PLANE_GROWTH ? enter : INFINITY;
 }
 
-OrientedTriangle oriented_lane(__global const TriangleLeaf* leaf, uint lane, float3 o) {
-  return orient_triangle(o, (float3)(leaf->p[0][0][lane], leaf->p[0][1][lane], leaf->p[0][2][lane]),
-                         (float3)(leaf->p[1][0][lane], leaf->p[1][1][lane], leaf->p[1][2][lane]),
-                         (float3)(leaf->p[2][0][lane], leaf->p[2][1][lane], leaf->p[2][2][lane]));
+float3 leaf_vertex(__global const TriangleLeaf* leaf, uint vertex, uint lane) {
+  return (float3)(leaf->p[vertex][0][lane], leaf->p[vertex][1][lane], leaf->p[vertex][2][lane]);
 }
 
 bool occluded_ray(BVH_PARAMS, float3 o, float3 d, float max_distance) {
   const float3 inverse = 1.0f / d;
-  const float inverse_limit = 1.0f / max_distance;
+  const RayShear shear = shear_ray(d);
+  const float limit_z = max_distance * fabs(component(d, shear.kz));
   uint stack[BVH_STACK_SIZE];
   uint size = 1;
   stack[0] = 0;
@@ -32,9 +31,10 @@ bool occluded_ray(BVH_PARAMS, float3 o, float3 d, float max_distance) {
     const uint item = stack[--size];
     if (item & BVH_LEAF) {
       __global const TriangleLeaf* leaf = &leaves[item & ~BVH_LEAF];
-      for (uint lane = 0; lane < BVH_WIDTH && leaf->triangle[lane] != NO_TRIANGLE; ++lane) {
-        const OrientedTriangle f = oriented_lane(leaf, lane, o);
-        if (triangle_occludes(&f, d, inverse_limit)) return true;
+      for (uint lane = 0; lane < BVH_LEAF_WIDTH && leaf->triangle[lane] != NO_TRIANGLE; ++lane) {
+        if (triangle_occludes(o, &shear, limit_z, leaf_vertex(leaf, 0, lane), leaf_vertex(leaf, 1, lane),
+                              leaf_vertex(leaf, 2, lane)))
+          return true;
       }
     } else {
       __global const BvhNode* node = &nodes[item];
@@ -48,6 +48,7 @@ bool occluded_ray(BVH_PARAMS, float3 o, float3 d, float max_distance) {
 // The nearest of equally near triangles is the one of the lowest index, whatever the order of the visit.
 bool closest_ray(BVH_PARAMS, float3 o, float3 d, float* t, uint* triangle, float* u, float* v) {
   const float3 inverse = 1.0f / d;
+  const RayShear shear = shear_ray(d);
   uint stack[BVH_STACK_SIZE];
   float entry[BVH_STACK_SIZE];
   uint size = 1;
@@ -59,11 +60,12 @@ bool closest_ray(BVH_PARAMS, float3 o, float3 d, float* t, uint* triangle, float
     if (entry[size] > *t * FAR_PLANE_GROWTH) continue;
     if (item & BVH_LEAF) {
       __global const TriangleLeaf* leaf = &leaves[item & ~BVH_LEAF];
-      for (uint lane = 0; lane < BVH_WIDTH && leaf->triangle[lane] != NO_TRIANGLE; ++lane) {
-        const OrientedTriangle f = oriented_lane(leaf, lane, o);
+      for (uint lane = 0; lane < BVH_LEAF_WIDTH && leaf->triangle[lane] != NO_TRIANGLE; ++lane) {
         float distance = nextafter(*t, INFINITY);
         float hit_u, hit_v;
-        if (!triangle_nearer(&f, d, &distance, &hit_u, &hit_v)) continue;
+        if (!triangle_nearer(o, &shear, leaf_vertex(leaf, 0, lane), leaf_vertex(leaf, 1, lane), leaf_vertex(leaf, 2, lane),
+                             &distance, &hit_u, &hit_v))
+          continue;
         if (distance == *t && (found == NO_TRIANGLE || leaf->triangle[lane] > found)) continue;
         found = leaf->triangle[lane];
         *t = distance;

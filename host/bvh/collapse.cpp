@@ -58,7 +58,7 @@ class Collapser {
 
   static TriangleLeaf empty_leaf() {
     TriangleLeaf leaf = {};
-    std::fill_n(leaf.triangle, width, BVH_EMPTY);
+    std::fill_n(leaf.triangle, BVH_LEAF_WIDTH, BVH_EMPTY);
     return leaf;
   }
 
@@ -97,7 +97,7 @@ class Collapser {
     choice.open_left = choice.left[open - 1];
     choice.open_right = std::uint8_t(open - choice.open_left);
     const float as_node = area * node_cost + choice.cost[width - 1];
-    const float as_leaf = node.count <= width ? area * leaf_cost : std::numeric_limits<float>::infinity();
+    const float as_leaf = node.count <= BVH_LEAF_WIDTH ? area * leaf_cost : std::numeric_limits<float>::infinity();
     choice.as_leaf = as_leaf <= as_node;
     choice.cost[0] = std::min(as_leaf, as_node);
     // One root may be cheaper than several.

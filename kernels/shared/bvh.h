@@ -5,7 +5,8 @@
 
 #include "portable.h"
 
-#define BVH_WIDTH 16   // children of a node, and triangles of a leaf
+#define BVH_WIDTH 16           // children of a node
+#define BVH_LEAF_WIDTH 8       // triangles of a leaf: 8 or 16
 #define BVH_LEAF 0x80000000u   // in BvhNode.child: the rest is an index into the leaves, not the nodes
 #define BVH_EMPTY 0xffffffffu  // no child: its box is (+inf, -inf), which no ray meets
 #define BVH_MAX_DEPTH 33       // levels of nodes that the builder may make
@@ -27,8 +28,8 @@ typedef struct {
 //   for lane: intersect the triangle (p[0][.][lane], p[1][.][lane], p[2][.][lane]), which is mesh triangle[lane]
 // Unused lanes hold the point 0 three times, which no ray meets, and triangle BVH_EMPTY.
 typedef struct {
-  float p[3][3][BVH_WIDTH];  // [vertex][axis][lane], world units
-  nook_uint triangle[BVH_WIDTH];
+  float p[3][3][BVH_LEAF_WIDTH];  // [vertex][axis][lane], world units
+  nook_uint triangle[BVH_LEAF_WIDTH];
 } TriangleLeaf;
 
 #ifdef __OPENCL_C_VERSION__

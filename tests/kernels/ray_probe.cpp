@@ -100,7 +100,9 @@ std::vector<ClosestHit> RayProbe::closest(const std::vector<RayStream>& streams,
 }
 
 std::vector<std::pair<std::string, BuildOptions>> traversal_variants() {
-  return {{"stream", BuildOptions()}, {"scalar", BuildOptions().define("TRAVERSAL_SCALAR", 1)}};
+  return {{"stream", BuildOptions()},
+          {"portable stream", BuildOptions().define("TRAVERSAL_PORTABLE", 1)},
+          {"scalar", BuildOptions().define("TRAVERSAL_SCALAR", 1)}};
 }
 
 }  // namespace nook::testing

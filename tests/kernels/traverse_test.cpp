@@ -260,6 +260,7 @@ TEST(Traverse, NoRayLeaksThroughEdgesOrVertices) {
     for (const auto& [variant, options] : traversal_variants()) {
       RayProbe probe(mesh, options);
       EXPECT_EQ(leaks(probe, mesh, false, 41), 0u) << name << " edges, " << variant;
+      EXPECT_EQ(leaks(probe, mesh, true, 42), 0u) << name << " vertices, " << variant;
     }
 }
 

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace nook::bench {
+
+double median(std::vector<double> values);
+
+/// Adds what every result says (date, processor, compiler) and appends one JSON line to `file`; nothing if it is empty.
+/// Throws Error(output).
+void append_record(const std::string& file, nlohmann::json record);
+
+}  // namespace nook::bench

@@ -1,0 +1,101 @@
+// What the stream traversal needs of vectors and OpenCL C lacks, in a portable form and, where the processor has
+// them, by its instructions. TRAVERSAL_PORTABLE keeps the portable form.
+#ifndef NOOK_STREAM_VECTOR_CL
+#define NOOK_STREAM_VECTOR_CL
+
+// The hot loops' parts: PoCL does not inline them by itself.
+#define INLINE __attribute__((always_inline)) static inline
+
+#if defined(__AVX512F__) && defined(__clang__) && !TRAVERSAL_PORTABLE
+#define STREAM_AVX512 1
+#else
+#define STREAM_AVX512 0
+#endif
+
+// Vectors of a leaf's triangles.
+#if BVH_LEAF_WIDTH == 16
+typedef float16 leaf_float;
+typedef int16 leaf_int;
+typedef uint16 leaf_uint;
+#define LOAD_LEAF(p) vload16(0, p)
+#define STORE_LEAF(p, v) vstore16(v, 0, p)
+#define AS_LEAF_FLOAT as_float16
+#define AS_LEAF_UINT as_uint16
+#define LEAF_BITS (leaf_int)(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768)
+#else
+typedef float8 leaf_float;
+typedef int8 leaf_int;
+typedef uint8 leaf_uint;
+#define LOAD_LEAF(p) vload8(0, p)
+#define STORE_LEAF(p, v) vstore8(v, 0, p)
+#define AS_LEAF_FLOAT as_float8
+#define AS_LEAF_UINT as_uint8
+#define LEAF_BITS (leaf_int)(1, 2, 4, 8, 16, 32, 64, 128)
+#endif
+
+int or_8_lanes(int8 a) {
+  const int4 b = a.lo | a.hi;
+  const int2 c = b.lo | b.hi;
+  return c.x | c.y;
+}
+
+int or_lanes(int16 v) { return or_8_lanes(v.lo | v.hi); }
+
+#if BVH_LEAF_WIDTH == 16
+#define OR_LEAF_LANES(v) or_lanes(v)
+#else
+#define OR_LEAF_LANES(v) or_8_lanes(v)
+#endif
+
+// Asks for a node or leaf that is visited next: on its way while the present one is tested.
+#if defined(__clang__) && (defined(__x86_64__) || defined(__aarch64__))
+#define PREFETCH_LINES(p, bytes)                           \
+  {                                                        \
+    for (uint line = 0; line < (uint)(bytes); line += 64u) \
+      __builtin_prefetch((const void*)((size_t)(p) + line)); \
+  }
+#else
+#define PREFETCH_LINES(p, bytes) {}
+#endif
+
+#if STREAM_AVX512
+
+// vstore16 becomes three stores there; an unaligned vector is one.
+typedef struct __attribute__((packed)) {
+  float16 v;
+} UnalignedFloats;
+typedef struct __attribute__((packed)) {
+  uint16 v;
+} UnalignedUints;
+#define STORE_FLOATS(to, value) ((UnalignedFloats*)(to))->v = (value)
+#define STORE_UINTS(to, value) ((UnalignedUints*)(to))->v = (value)
+#define LOWEST_BIT(mask) ((uint)__builtin_ctz(mask))
+// Bit i: lane i is not 0.
+#define NONZERO_LANES(v) ((uint)__builtin_ia32_cmpd512_mask((v), (int16)(0), 4, (ushort)0xffff))
+// The chosen lanes of a uint16, one after another; up to 16 words behind them are overwritten.
+#define APPEND_LANES(to, v, lanes) \
+  STORE_UINTS(to, as_uint16(__builtin_ia32_compresssi512_mask(as_int16(v), as_int16(v), (ushort)(lanes))))
+
+#else
+
+#define STORE_FLOATS(to, value) vstore16(value, 0, to)
+#define STORE_UINTS(to, value) vstore16(value, 0, to)
+#define LOWEST_BIT(mask) lowest_bit(mask)
+
+uint nonzero_lanes(int16 v) {
+  const int16 bit = (int16)(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768);
+  return (uint)or_lanes((v != 0) & bit);
+}
+
+void append_lanes(uint* to, uint16 v, uint lanes) {
+  uint lane_value[BVH_WIDTH];
+  vstore16(v, 0, lane_value);
+  for (; lanes; lanes &= lanes - 1) *to++ = lane_value[lowest_bit(lanes)];
+}
+
+#define NONZERO_LANES(v) nonzero_lanes(v)
+#define APPEND_LANES(to, v, lanes) append_lanes(to, v, lanes)
+
+#endif
+
+#endif
