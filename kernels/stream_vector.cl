@@ -3,6 +3,10 @@
 #ifndef NOOK_STREAM_VECTOR_CL
 #define NOOK_STREAM_VECTOR_CL
 
+#include "config.h"
+#include "rays.cl"
+#include "shared/bvh.h"
+
 // The hot loops' parts: PoCL does not inline them by itself.
 #define INLINE __attribute__((always_inline)) static inline
 

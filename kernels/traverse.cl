@@ -17,20 +17,6 @@
 #ifndef NOOK_TRAVERSE_CL
 #define NOOK_TRAVERSE_CL
 
-#include "config.h"
-#include "shared/bvh.h"
-
-#include "intersect.cl"
-
-typedef struct {
-  float x[32], y[32], z[32];
-} RayDirections;
-
-float3 ray_direction(const RayDirections* d, uint k) { return (float3)(d->x[k], d->y[k], d->z[k]); }
-
-// Index of the lowest set bit; mask != 0.
-uint lowest_bit(uint mask) { return 31u - clz(mask & (0u - mask)); }
-
 #include "traverse_scalar.cl"
 #include "traverse_stream.cl"
 

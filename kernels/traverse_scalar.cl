@@ -2,6 +2,8 @@
 #ifndef NOOK_TRAVERSE_SCALAR_CL
 #define NOOK_TRAVERSE_SCALAR_CL
 
+#include "intersect.cl"
+
 // Entry distance of the ray into a box, or INFINITY if it meets none of it within [0, limit].
 // inverse = 1/d; the planes are selected by the sign bit, so that -0 and 0 differ as their inverses do.
 float enter_box(__global const BvhNode* node, uint lane, float3 o, float3 inverse, float limit) {

@@ -4,6 +4,7 @@
 #ifndef NOOK_TRAVERSE_STREAM_CL
 #define NOOK_TRAVERSE_STREAM_CL
 
+#include "intersect.cl"
 #include "stream_vector.cl"
 
 // What the tests read of each ray. Offsets count floats.
@@ -20,6 +21,9 @@ typedef struct {
 
 #define HI_PLANES (3u * BVH_WIDTH)    // BvhNode.hi behind BvhNode.lo
 #define VERTEX_ROWS (3u * BVH_LEAF_WIDTH)  // TriangleLeaf.p[1] behind p[0]
+#ifndef STREAM_OWN_TEST
+#define STREAM_OWN_TEST false
+#endif
 #define SIGN_BIT 0x80000000u
 
 // Rays [first, first + 16), as shear_ray() does it for one.
@@ -176,7 +180,7 @@ INLINE uint stream_occluded(BVH_PARAMS, float3 origin, const StreamRays* rays, b
 uint stream_occluded_from(BVH_PARAMS, float3 origin, const RayDirections* d, uint active, float max_distance) {
   StreamRays rays;
   prepare_shared(&rays, origin, d, active, max_distance);
-  return stream_occluded(BVH_ARGS, origin, &rays, false, active, max_distance);
+  return stream_occluded(BVH_ARGS, origin, &rays, STREAM_OWN_TEST, active, max_distance);
 }
 
 uint stream_occluded_rays(BVH_PARAMS, const RayDirections* origins, const RayDirections* d, uint active,
