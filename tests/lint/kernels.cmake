@@ -1,7 +1,7 @@
 cmake_minimum_required(VERSION 3.25)
 
-# Parses the kernels as OpenCL C 1.2 without a device: every file by itself, and render.cl under every value of every
-# macro of config.h, for each effect. What config.h refuses by #error is not a legal configuration.
+# Parses the kernels as OpenCL C 1.2 without a device: every file by itself, and those with entry points under every
+# value of every macro of config.h, for each effect. What config.h refuses by #error is not a legal configuration.
 if(NOT CLANG)
   message("skipped: no clang here to parse the kernels with")
   return()
@@ -22,11 +22,14 @@ function(parse file)
   set(failed ${failed} PARENT_SCOPE)
 endfunction()
 
-file(GLOB files ${SOURCE_DIR}/kernels/*.cl ${SOURCE_DIR}/tests/kernels/*.cl)
-# Two halves of traverse.cl, which declares what they share.
-list(FILTER files EXCLUDE REGEX "/traverse_(scalar|stream)\\.cl$")
+file(GLOB files ${SOURCE_DIR}/kernels/*.cl ${SOURCE_DIR}/tests/kernels/*.cl ${SOURCE_DIR}/bench/kernels/*.cl)
+set(entries "")
 foreach(file IN LISTS files)
   parse(${file})
+  file(STRINGS ${file} kernels REGEX "^__kernel ")
+  if(kernels AND file MATCHES "^${SOURCE_DIR}/kernels/")
+    list(APPEND entries ${file})
+  endif()
 endforeach()
 
 file(STRINGS ${SOURCE_DIR}/kernels/config.h lines REGEX "^#(ifndef|define) ")
@@ -49,7 +52,9 @@ foreach(macro IN LISTS macros)
   endif()
   foreach(value IN LISTS values)
     foreach(effect EFFECT_AMBIENT EFFECT_REFLECTION)
-      parse(${SOURCE_DIR}/kernels/render.cl -DEFFECT=${effect} -D${macro}=${value})
+      foreach(file IN LISTS entries)
+        parse(${file} -DEFFECT=${effect} -D${macro}=${value})
+      endforeach()
     endforeach()
   endforeach()
 endforeach()
