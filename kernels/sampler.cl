@@ -36,22 +36,17 @@ uint morton_code(uint x, uint y) {
   return code;
 }
 
-// The first index of the 2^bits indices that belong to `pixel`, bits = ceil(log2 count). Shuffling the children
-// of every quadtree node independently is a nested scramble of the Z-order code. An image with more pixels
-// than indices repeats; *tile then tells the repetitions apart.
-uint zorder_first_index(uint pixel, uint count, uint width, uint seed, uint* tile) {
+// The sequence's index for point i < count of `pixel`. Each pixel owns an aligned block of 2^bits indices, bits = ceil(log2 count);
+// shuffling the children of every quadtree node independently is a nested scramble of the Z-order code. The scramble
+// goes on through the point's own bits: were they left in order and count no power of two, every pixel would miss the
+// same part of the square. An image with more pixels than blocks repeats; *tile then tells the repetitions apart.
+uint zorder_index(uint pixel, uint i, uint count, uint width, uint seed, uint* tile) {
   uint code = width > 0u ? morton_code(pixel % width, pixel / width) : pixel;
   uint bits = 0;
   while (bits < 32u && (count - 1u) >> bits > 0u) ++bits;
-  *tile = 0u;
-  if (bits == 0u) return reverse_bits(owen_scramble_reversed(reverse_bits(code), pcg(seed ^ STREAM_ZORDER)));
-  if (bits == 32u) {
-    *tile = code;
-    return 0u;
-  }
-  *tile = code >> (32u - bits);
-  uint shuffled = reverse_bits(owen_scramble_reversed(reverse_bits(code << bits), pcg(seed ^ STREAM_ZORDER)));
-  return shuffled >> bits << bits;
+  *tile = bits == 0u ? 0u : bits == 32u ? code : code >> (32u - bits);
+  uint index = (bits == 32u ? 0u : code << bits) | i;
+  return reverse_bits(owen_scramble_reversed(reverse_bits(index), pcg(seed ^ STREAM_ZORDER)));
 }
 
 // Where camera sample `sample` lies in its pixel, in [0,1)²: the centre if it is the only one.
@@ -78,9 +73,9 @@ float2 sample_pixel(uint pixel, uint sample, const EstimatorParams* p) {
   }
   if (SAMPLER == SAMPLER_ZORDER) {
     uint tile;
-    uint first = zorder_first_index(pixel, p->total_samples, p->width, p->seed, &tile);
+    uint index = zorder_index(pixel, sample, p->total_samples, p->width, p->seed, &tile);
     uint4 key = pcg4d(tile, p->seed, STREAM_ZORDER, 0u);
-    u = sobol23(first + sample, key.z, key.w);
+    u = sobol23(index, key.z, key.w);
   }
   return u;
 }
@@ -108,9 +103,9 @@ float2 sample_direction(uint pixel, uint sample, uint direction, const Estimator
   }
   if (SAMPLER == SAMPLER_ZORDER) {
     uint tile;
-    uint first = zorder_first_index(pixel, count, p->width, p->seed, &tile);
+    uint shuffled = zorder_index(pixel, index, count, p->width, p->seed, &tile);
     uint4 key = pcg4d(tile, p->seed, STREAM_ZORDER, 0u);
-    u = sobol01(first + index, key.x, key.y);
+    u = sobol01(shuffled, key.x, key.y);
   }
   return u;
 }

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "base/error.hpp"
-#include "device/kernel_source.hpp"
 
 namespace nook {
 namespace {
@@ -49,7 +48,8 @@ struct PathTracer::Slot {
   bool busy = false;
 };
 
-PathTracer::PathTracer(const Device& device, const Plan& plan, const TriangleMesh& mesh, const Bvh& bvh)
+PathTracer::PathTracer(const Device& device, const Plan& plan, const TriangleMesh& mesh, const Bvh& bvh,
+                       const KernelSource& source)
     : device_(device),
       plan_(plan),
       nodes_(device.input(bvh.nodes)),
@@ -62,15 +62,15 @@ PathTracer::PathTracer(const Device& device, const Plan& plan, const TriangleMes
   triangle_normals_ = optional(plan_.vertex_normals, mesh.triangle_normals);
   triangle_materials_ = optional(plan_.materials, mesh.triangle_material);
   exponents_ = optional(!plan_.exponents.empty(), plan_.exponents);
-  primary_ = build(primary_kernel(plan_));
-  for (const EffectPlan& effect : plan_.effects) effects_.push_back(build(occlusion_kernel(plan_, effect)));
+  primary_ = build(primary_kernel(plan_), source);
+  for (const EffectPlan& effect : plan_.effects) effects_.push_back(build(occlusion_kernel(plan_, effect), source));
   counters_.effect_rays.resize(effects_.size());
 }
 
-ClKernel PathTracer::build(const KernelPlan& kernel) {
+ClKernel PathTracer::build(const KernelPlan& kernel, const KernelSource& source) {
   const auto [place, fresh] = programs_.try_emplace(kernel.file + kernel.options.text());
   if (fresh) {
-    place->second = build_program(device_, kernel_source(kernel.file), kernel.options);
+    place->second = build_program(device_, source(kernel.file), kernel.options);
     build_seconds_ += place->second.seconds;
     all_from_cache_ = all_from_cache_ && place->second.from_cache;
   }

@@ -9,6 +9,7 @@
 
 #include "bvh/bvh.hpp"
 #include "device/device.hpp"
+#include "device/kernel_source.hpp"
 #include "device/program_cache.hpp"
 #include "film/film.hpp"
 #include "kernels/shared/surface_point.h"
@@ -43,9 +44,13 @@ struct Finished {
 /// One scene on one device: uploaded once, its kernels specialised to the plan.
 class PathTracer {
  public:
+  /// Where the text of kernels/FILE comes from: kernel_source(), or a test's version of it with a defect planted.
+  using KernelSource = std::function<std::string(const std::string& file)>;
+
   /// `mesh` and `bvh` must outlive it: where device and host share memory they are used in place.
   /// Throws Error(device).
-  PathTracer(const Device& device, const Plan& plan, const TriangleMesh& mesh, const Bvh& bvh);
+  PathTracer(const Device& device, const Plan& plan, const TriangleMesh& mesh, const Bvh& bvh,
+             const KernelSource& source = kernel_source);
 
   /// Empty films of the plan's window, one per effect.
   std::vector<Film> make_films() const;
@@ -77,7 +82,7 @@ class PathTracer {
   // Fills the next batch; false when there is none.
   using NextBatch = std::function<bool(Batch&)>;
 
-  ClKernel build(const KernelPlan& kernel);
+  ClKernel build(const KernelPlan& kernel, const KernelSource& source);
   EstimatorParams params_for(const EffectPlan& effect, const Batch& batch) const;
   void launch(cl_kernel kernel, std::size_t count);
   void submit(Slot& slot);

@@ -156,5 +156,15 @@ TEST(PointSet, ZorderNeighboursCompleteEachOther) {
   EXPECT_TRUE(is_net(directions_of(Sampler::zorder, 70000u * 3u, counts(4, 16, 70000u))));
 }
 
+// With 5 points of a block of 8, pixels must not all leave out the same eighths: over an image each is
+// equally full.
+TEST(PointSet, ZorderCoversTheSquareForAnyCount) {
+  std::vector<std::size_t> eighths(8);
+  for (std::uint32_t pixel = 0; pixel < 4096; ++pixel)
+    for (vec2 u : directions_of(Sampler::zorder, pixel, counts(1, 5, 64))) ++eighths[std::size_t(u.x * 8)];
+  for (std::size_t count : eighths)
+    EXPECT_NEAR(double(count), 4096 * 5 / 8, 200);  // 4 sigma of independent points: 188
+}
+
 }  // namespace
 }  // namespace nook::test

@@ -63,6 +63,10 @@ double normal_p(double z) {
   return std::erfc(std::abs(z) / std::sqrt(2.0));
 }
 
+double student_p(double t, double degrees) {
+  return beta_i(degrees / (degrees + t * t), degrees / 2, 0.5);
+}
+
 double chi2_p(double statistic, double degrees) {
   return gamma_q(degrees / 2, statistic / 2);
 }

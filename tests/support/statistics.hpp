@@ -16,6 +16,9 @@ double beta_i(double x, double a, double b);
 /// Two-sided p-value of a standard normal deviate.
 double normal_p(double z);
 
+/// Two-sided p-value of Student's t with that many degrees of freedom.
+double student_p(double t, double degrees);
+
 /// P(X² >= statistic) for a chi-squared variable of that many degrees of freedom.
 double chi2_p(double statistic, double degrees);
 

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "render/path_tracer.hpp"
+#include "support/kernels.hpp"
+#include "support/oracle.hpp"
+
+namespace nook::test {
+
+/// Renders with the product's whole path (plan, tree, kernels) and keeps what it needs alive.
+class Renderer {
+ public:
+  Renderer(const Scene& scene, const TriangleMesh& mesh,
+           const PathTracer::KernelSource& source = kernel_source);
+
+  /// The first effect's picture with the variance of each pixel.
+  ReferenceImage picture();
+  /// AO or RO at points, `directions` directions each.
+  Film at_points(const std::vector<SurfacePoint>& points, std::uint32_t directions);
+  const RenderCounters& counters() const { return tracer_.counters(); }
+
+ private:
+  Plan plan_;
+  Bvh bvh_;
+  PathTracer tracer_;
+};
+
+/// The mean of `replicates` pictures of different seeds, and its variance as their spread shows it: for point
+/// sets, whose samples are not independent.
+ReferenceImage replicated_picture(Scene scene, const TriangleMesh& mesh, int replicates);
+
+}  // namespace nook::test
