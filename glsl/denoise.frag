@@ -1,6 +1,5 @@
 // One direction of a separable bilateral filter over AO: a neighbour counts as far as its depth lies on the tangent
 // plane of the pixel, so that nothing is averaged across an edge.
-in vec2 uv;
 layout(location = 0) out vec4 result;  // AO, inverse depth
 
 uniform sampler2D occlusion;  // AO, inverse depth

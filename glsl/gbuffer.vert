@@ -8,7 +8,9 @@ uniform vec2 ray_scale, ray_offset;     // see host/ssao/view.hpp
 uniform vec2 buffer_size;               // pixels
 uniform float near;                     // world units
 
-out vec3 view_normal;  // not normalised; zero where the triangle has no vertex normals
+#if NORMAL
+NORMAL_KIND out vec3 view_normal;  // smooth: not normalised
+#endif
 #if WRITE_POSITION
 out vec3 view_position;
 #endif
@@ -21,7 +23,9 @@ void main() {
   vec2 scaled = (view.xy - ray_offset * depth) / ray_scale;
   vec2 ndc = 2.0 * scaled / buffer_size - depth;
   gl_Position = vec4(ndc.x, -ndc.y, near, depth);
+#if NORMAL
   view_normal = vec3(dot(right, world_normal), dot(up, world_normal), dot(backward, world_normal));
+#endif
 #if WRITE_POSITION
   view_position = view;
 #endif

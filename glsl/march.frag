@@ -1,11 +1,10 @@
 // Ambient occlusion by marching: N directions, cosine-weighted, so that
 //   AO(x) = 1/pi int V(x, w) cos(theta) dw  ~  1/N sum_i V(x, w_i).
-// Each is followed through the buffer up to the radius in STEPS steps, shorter near x. A step at inverse depth w over the
+// Each is followed through the buffer up to the radius in STEPS steps, the last at the radius itself, shorter near x. A step at inverse depth w over the
 // pixel with front layer f and back layer b is inside a solid if b < w < f; f is the value of that pixel's tangent
 // plane at the step's own position, so that a surface never occludes itself however steeply it is seen. Without a back
 // layer (an open sheet) everything behind the front layer is solid.
 // Rules: background pixels are 0 with coverage 0; a ray that leaves the buffer or passes the eye is open.
-in vec2 uv;
 layout(location = 0) out vec4 result;  // AO, inverse depth
 
 uniform float radius;  // world units
@@ -40,8 +39,9 @@ void main() {
     vec3 along = homogeneous(to_view * vec3(s * cos(phi), s * sin(phi), sqrt(1.0 - u)));
     float visible = 1.0;
     for (int j = 0; j < STEPS; ++j) {
-      float t = (float(j) + shift) / float(STEPS);
-      vec3 h = start + radius * pow(t, STEP_POWER) * along;
+      float t = min((float(j) + shift) / float(STEPS - 1), 1.0);
+      t *= sqrt(t);
+      vec3 h = start + radius * t * along;
       float w = 1.0 / h.z;
       vec2 q = h.xy * w;
       ivec2 at = ivec2(floor(q));

@@ -1,6 +1,5 @@
 // Full resolution from half: the four half-resolution pixels around a pixel, by bilinear weights times how well their
 // depth lies on the pixel's tangent plane. Where none does, the one nearest to the plane.
-in vec2 uv;
 layout(location = 0) out vec4 result;  // AO, inverse depth
 
 uniform sampler2D occlusion;  // half resolution: AO, inverse depth

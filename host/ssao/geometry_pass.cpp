@@ -1,5 +1,6 @@
 #include "ssao/geometry_pass.hpp"
 
+#include <algorithm>
 #include <array>
 #include <unordered_map>
 
@@ -8,105 +9,104 @@
 namespace nook {
 namespace {
 
-bool has_all_normals(const TriangleMesh& mesh, std::size_t triangle) {
-  if (!mesh.has_normals()) return false;
-  for (const std::uint32_t index : mesh.triangle_normals[triangle])
-    if (index == TriangleMesh::no_normal) return false;
-  return true;
+using Triangle = std::array<std::uint32_t, 3>;
+
+// Unit, from the winding, in double precision: a triangle of size 1e-15 would underflow.
+vec3 geometric_normal(const TriangleMesh& mesh, const Triangle& triangle) {
+  const dvec3 p = mesh.positions[triangle[0]];
+  const dvec3 n = glm::cross(dvec3(mesh.positions[triangle[1]]) - p, dvec3(mesh.positions[triangle[2]]) - p);
+  const double length = glm::length(n);
+  return length > 0 ? vec3(n / length) : vec3(0, 0, 1);
 }
 
-// One vertex for each pair of position and normal that occurs; interleaved position, normal (zero where there
-// is none).
-struct WeldedVertices {
-  std::vector<float> values;  // 6 each
-  std::vector<std::uint32_t> indices;
+// Vertices as they are uploaded: position and normal interleaved, 6 floats each.
+struct Vertices {
+  std::vector<float> values;
+  std::vector<Triangle> triangles;
+
+  std::uint32_t add(const vec3& position, const vec3& normal) {
+    values.insert(values.end(), {position.x, position.y, position.z, normal.x, normal.y, normal.z});
+    return std::uint32_t(values.size() / 6 - 1);
+  }
 };
 
-WeldedVertices weld(const TriangleMesh& mesh) {
-  WeldedVertices welded;
-  welded.indices.reserve(mesh.triangles.size() * 3);
+// With vertex normals: one vertex for each pair of position and normal that occurs. A triangle that lacks a
+// normal at any corner has its geometric normal at all three.
+Vertices smooth_vertices(const TriangleMesh& mesh) {
+  Vertices vertices;
+  vertices.triangles.reserve(mesh.triangles.size());
   std::unordered_map<std::uint64_t, std::uint32_t> known;
   known.reserve(mesh.positions.size() * 2);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const bool smooth = has_all_normals(mesh, t);
+    const Triangle &positions = mesh.triangles[t], &normals = mesh.triangle_normals[t];
+    const bool smooth = std::find(normals.begin(), normals.end(), TriangleMesh::no_normal) == normals.end();
+    const vec3 geometric = smooth ? vec3(0) : geometric_normal(mesh, positions);
+    Triangle& out = vertices.triangles.emplace_back();
     for (int corner = 0; corner < 3; ++corner) {
-      const std::uint32_t p = mesh.triangles[t][corner];
-      const std::uint32_t n = smooth ? mesh.triangle_normals[t][corner] : TriangleMesh::no_normal;
-      const auto [entry, is_new] =
-          known.try_emplace(std::uint64_t(p) << 32 | n, std::uint32_t(welded.values.size() / 6));
-      if (is_new) {
-        const vec3 position = mesh.positions[p], normal = smooth ? mesh.normals[n] : vec3(0);
-        welded.values.insert(welded.values.end(),
-                             {position.x, position.y, position.z, normal.x, normal.y, normal.z});
+      const vec3 position = mesh.positions[positions[corner]];
+      if (!smooth) {
+        out[corner] = vertices.add(position, geometric);
+        continue;
       }
-      welded.indices.push_back(entry->second);
+      const std::uint64_t key = std::uint64_t(positions[corner]) << 32 | normals[corner];
+      const auto [entry, is_new] = known.try_emplace(key, 0);
+      if (is_new) entry->second = vertices.add(position, mesh.normals[normals[corner]]);
+      out[corner] = entry->second;
     }
   }
-  return welded;
+  return vertices;
 }
 
-// Unit, from the winding. The edges are scaled first: a triangle of size 1e-15 would underflow.
-vec3 geometric_normal(const TriangleMesh& mesh, std::size_t triangle) {
-  const auto& [a, b, c] = mesh.triangles[triangle];
-  const dvec3 p = mesh.positions[a], u = dvec3(mesh.positions[b]) - p, v = dvec3(mesh.positions[c]) - p;
-  const dvec3 n = glm::cross(u, v);
-  const double length = glm::length(n);
-  return length > 0 ? vec3(n / length) : vec3(0, 0, 1);
+// Without vertex normals: a triangle's normal is the flat attribute of its last vertex (OpenGL's provoking
+// vertex). Each triangle is turned to end in a vertex that no other triangle ends in; where there is none
+// left, the vertex is doubled.
+Vertices flat_vertices(const TriangleMesh& mesh) {
+  Vertices vertices;
+  vertices.triangles = mesh.triangles;
+  for (const vec3& position : mesh.positions) vertices.add(position, vec3(0));
+  std::vector<bool> taken(mesh.positions.size());
+  for (Triangle& triangle : vertices.triangles) {
+    const vec3 normal = geometric_normal(mesh, triangle);
+    for (int turn = 0; turn < 2 && taken[triangle[2]]; ++turn)
+      std::rotate(triangle.begin(), triangle.begin() + 1, triangle.end());
+    std::uint32_t& last = triangle[2];
+    if (taken[last]) {
+      last = vertices.add(mesh.positions[last], normal);
+    } else {
+      taken[last] = true;
+      for (int axis = 0; axis < 3; ++axis)
+        vertices.values[6 * std::size_t(last) + 3 + std::size_t(axis)] = normal[axis];
+    }
+  }
+  return vertices;
 }
 
 }  // namespace
 
 GlMesh::GlMesh(const GlContext& context, const TriangleMesh& mesh)
-    : context_(context), has_vertex_normals_(mesh.has_normals()) {
+    : context_(context), smooth_(mesh.has_normals()) {
   const GlFunctions& gl = context.functions();
+  const Vertices vertices = smooth_ ? smooth_vertices(mesh) : flat_vertices(mesh);
+  const std::size_t vertex_bytes = vertices.values.size() * sizeof(float);
+  const std::size_t index_bytes = vertices.triangles.size() * sizeof(Triangle);
+  bytes_ = vertex_bytes + index_bytes;
+  index_count_ = GLsizei(vertices.triangles.size() * 3);
   gl.glGenVertexArrays(1, &vertex_array_);
   gl.glBindVertexArray(vertex_array_);
-  index_count_ = GLsizei(mesh.triangles.size() * 3);
+  vertices_ = std::make_unique<GlBuffer>(context, GL_ARRAY_BUFFER, vertices.values.data(), vertex_bytes);
+  const GLsizei stride = 6 * sizeof(float);
   gl.glEnableVertexAttribArray(0);
-  if (has_vertex_normals_) {
-    const WeldedVertices welded = weld(mesh);
-    bytes_ = welded.values.size() * sizeof(float) + welded.indices.size() * sizeof(std::uint32_t);
-    vertices_ = std::make_unique<GlBuffer>(context, GL_ARRAY_BUFFER, welded.values.data(),
-                                           welded.values.size() * sizeof(float));
-    const GLsizei stride = 6 * sizeof(float);
-    gl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, nullptr);
-    gl.glEnableVertexAttribArray(1);
-    gl.glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride,
-                             reinterpret_cast<const void*>(3 * sizeof(float)));
-    indices_ = std::make_unique<GlBuffer>(context, GL_ELEMENT_ARRAY_BUFFER, welded.indices.data(),
-                                          welded.indices.size() * sizeof(std::uint32_t));
-  } else {
-    bytes_ = mesh.positions.size() * sizeof(vec3) + mesh.triangles.size() * 3 * sizeof(std::uint32_t);
-    vertices_ = std::make_unique<GlBuffer>(context, GL_ARRAY_BUFFER, mesh.positions.data(),
-                                           mesh.positions.size() * sizeof(vec3));
-    gl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
-    indices_ = std::make_unique<GlBuffer>(context, GL_ELEMENT_ARRAY_BUFFER, mesh.triangles.data(),
-                                          mesh.triangles.size() * sizeof(mesh.triangles[0]));
-  }
-  bool some_without = false;
-  for (std::size_t t = 0; t < mesh.triangles.size() && !some_without; ++t)
-    some_without = !has_all_normals(mesh, t);
-  if (some_without) {
-    GLint limit = 0;
-    gl.glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
-    if (mesh.triangles.size() > std::size_t(limit))
-      throw Error(ExitCode::device,
-                  "SSAO takes at most " + std::to_string(limit) + " triangles without vertex normals");
-    std::vector<vec3> normals(mesh.triangles.size());
-    for (std::size_t t = 0; t < normals.size(); ++t) normals[t] = geometric_normal(mesh, t);
-    bytes_ += normals.size() * sizeof(vec3);
-    triangle_normals_ =
-        std::make_unique<GlBuffer>(context, GL_TEXTURE_BUFFER, normals.data(), normals.size() * sizeof(vec3));
-    gl.glGenTextures(1, &normals_texture_);
-    gl.glBindTexture(GL_TEXTURE_BUFFER, normals_texture_);
-    gl.glTexBuffer(GL_TEXTURE_BUFFER, GL_RGB32F, triangle_normals_->id());
-  }
+  gl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, nullptr);
+  gl.glEnableVertexAttribArray(1);
+  gl.glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride,
+                           reinterpret_cast<const void*>(3 * sizeof(float)));
+  indices_ =
+      std::make_unique<GlBuffer>(context, GL_ELEMENT_ARRAY_BUFFER, vertices.triangles.data(), index_bytes);
   context.check("uploading the mesh");
 }
 
 GlMesh::~GlMesh() {
   const GlFunctions& gl = context_.functions();
-  gl.glDeleteTextures(1, &normals_texture_);
   gl.glDeleteVertexArrays(1, &vertex_array_);
 }
 
@@ -114,13 +114,6 @@ void GlMesh::draw() const {
   const GlFunctions& gl = context_.functions();
   gl.glBindVertexArray(vertex_array_);
   gl.glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
-}
-
-void GlMesh::bind_triangle_normals(const GlProgram& program, int unit) const {
-  const GlFunctions& gl = context_.functions();
-  gl.glActiveTexture(GL_TEXTURE0 + GLenum(unit));
-  gl.glBindTexture(GL_TEXTURE_BUFFER, normals_texture_);
-  program.set("triangle_normals", unit);
 }
 
 GBuffer::GBuffer(const GlContext& context, int width, int height, bool with_position, int layers)
@@ -152,10 +145,10 @@ const GlProgram& GeometryPass::program(Pass pass, bool with_position) {
     const bool peel = pass == Pass::second_front || pass == Pass::second_back;
     program = std::make_unique<GlProgram>(
         context_, "glsl/gbuffer.vert", "glsl/gbuffer.frag", "",
-        GlProgram::Defines{{"BACK", back ? "1" : "0"},
-                           {"PEEL", peel ? "1" : "0"},
+        GlProgram::Defines{{"PEEL", peel ? "1" : "0"},
                            {"WRITE_POSITION", pass == Pass::front && with_position ? "1" : "0"},
-                           {"SOME_WITHOUT_NORMALS", mesh_.some_without_normals() && !back ? "1" : "0"}});
+                           {"NORMAL", back ? "0" : "1"},
+                           {"NORMAL_KIND", mesh_.smooth() ? "smooth" : "flat"}});
   }
   return *program;
 }
@@ -203,7 +196,6 @@ void GeometryPass::draw(Pass pass, const SsaoView& view, const GBuffer& buffer) 
   program.set("buffer_size", float(view.buffer_width()), float(view.buffer_height()));
   program.set("near", 1e-6f * (scale_ + glm::length(view.eye - center_)));
   if (second) program.bind("nearer", 0, buffer.surface);
-  if (mesh_.some_without_normals() && !back) mesh_.bind_triangle_normals(program, 1);
   mesh_.draw();
   gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   gl.glDisable(GL_CULL_FACE);

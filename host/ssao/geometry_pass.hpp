@@ -9,8 +9,7 @@
 
 namespace nook {
 
-/// The mesh on the GL side: positions, vertex normals if it has any, and the geometric normals of triangles
-/// without.
+/// The mesh on the GL side: positions and, interpolated or flat, normals.
 class GlMesh {
  public:
   GlMesh(const GlContext& context, const TriangleMesh& mesh);
@@ -18,19 +17,16 @@ class GlMesh {
   GlMesh(const GlMesh&) = delete;
   GlMesh& operator=(const GlMesh&) = delete;
 
-  bool has_vertex_normals() const { return has_vertex_normals_; }
-  bool some_without_normals() const { return bool(triangle_normals_); }
+  bool smooth() const { return smooth_; }  ///< normals are interpolated; otherwise each triangle has one
   std::size_t bytes() const { return bytes_; }
   void draw() const;
-  /// Binds the geometric normals as a buffer texture; only if some_without_normals().
-  void bind_triangle_normals(const GlProgram& program, int unit) const;
 
  private:
   const GlContext& context_;
-  GLuint vertex_array_ = 0, normals_texture_ = 0;
-  std::unique_ptr<GlBuffer> vertices_, indices_, triangle_normals_;
+  GLuint vertex_array_ = 0;
+  std::unique_ptr<GlBuffer> vertices_, indices_;
   GLsizei index_count_ = 0;
-  bool has_vertex_normals_ = false;
+  bool smooth_;
   std::size_t bytes_ = 0;
 };
 

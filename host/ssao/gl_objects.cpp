@@ -100,7 +100,7 @@ void GlFramebuffer::bind() const {
 
 std::vector<float> GlFramebuffer::read(int color, int components, int x, int y, int width, int height) const {
   const GlFunctions& gl = context_.functions();
-  const GLenum format = components == 1 ? GL_RED : components == 3 ? GL_RGB : GL_RGBA;
+  const GLenum format = components == 1 ? GL_RED : components == 2 ? GL_RG : GL_RGBA;
   std::vector<float> values(std::size_t(width) * std::size_t(height) * std::size_t(components));
   gl.glBindFramebuffer(GL_FRAMEBUFFER, id_);
   gl.glReadBuffer(GL_COLOR_ATTACHMENT0 + GLenum(color));

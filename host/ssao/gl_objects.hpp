@@ -53,7 +53,7 @@ class GlFramebuffer {
   GlFramebuffer& operator=(const GlFramebuffer&) = delete;
   /// Binds it for drawing and sets the viewport to all of it.
   void bind() const;
-  /// Reads `components` floats a pixel (1: red, 3: RGB, 4: RGBA) of draw buffer `color`, rows in window
+  /// Reads `components` floats a pixel (1: red, 2: RG, 4: RGBA) of draw buffer `color`, rows in window
   /// order.
   std::vector<float> read(int color, int components, int x, int y, int width, int height) const;
 

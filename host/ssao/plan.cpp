@@ -1,11 +1,44 @@
 #include "ssao/plan.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "base/error.hpp"
 
 namespace nook {
+namespace {
+
+using Method = SsaoSettings::Method;
+using Quality = SsaoSettings::Quality;
+
+// What each quality spends, chosen by measurement (docs/ssao.md): draft and real-time shade every fourth
+// pixel, since directions shared by the denoiser and the upsample bring more than pixels do; accurate has all
+// pixels, four layers and a wide guard band.
+void spend(SsaoPlan& plan, Quality quality) {
+  const bool accurate = quality == Quality::accurate, draft = quality == Quality::draft;
+  plan.half_resolution = !accurate;
+  plan.denoise_radius = 2;
+  plan.guard = accurate ? 0.5f : draft ? 0.0f : 0.05f;
+  plan.layers = accurate ? 4 : 2;
+  switch (plan.method) {
+    case Method::point:
+      plan.cosine = plan.range_check = true;
+      plan.layers = 1;
+      plan.directions = accurate ? 32 : draft ? 8 : 16;
+      break;
+    case Method::gtao:
+      plan.directions = accurate ? 8 : draft ? 1 : 2;
+      plan.steps = accurate ? 12 : 4;
+      break;
+    case Method::march:
+      plan.directions = accurate ? 32 : draft ? 4 : 8;
+      plan.steps = accurate ? 16 : 4;
+      break;
+  }
+}
+
+}  // namespace
 
 SsaoPlan plan_ssao(const SsaoSettings& settings, const Bounds3& bounds) {
   if (settings.samples < 1 || settings.samples > 32)
@@ -19,7 +52,11 @@ SsaoPlan plan_ssao(const SsaoSettings& settings, const Bounds3& bounds) {
   plan.radius = settings.radius > 0 ? settings.radius : 0.5f * bounds.bounding_radius();
   plan.bias = settings.bias;
   plan.range_check = settings.range_check;
-  plan.directions = settings.samples;
+  if (settings.quality || settings.method != Method::point)
+    spend(plan, settings.quality.value_or(Quality::real_time));
+  else
+    plan.directions = settings.samples;
+  plan.directions = std::min(plan.directions, settings.samples);
   return plan;
 }
 

@@ -12,15 +12,16 @@ struct SsaoPlan {
   float bias = 0;            ///< point: world units
   bool range_check = false;  ///< point
   bool cosine = false;       ///< point: cosine-weighted directions instead of the assignment's uniform ones
-  int directions = 32;       ///< point, march: directions a pixel; gtao: slices, two directions each
-  int steps = 1;             ///< march, gtao: steps along a direction
-  float step_power = 1;      ///< march, gtao: step j is at ((j + shift) / steps)^step_power of the way
-  int layers = 1;            ///< depth layers: 1 front, 2 with the back face, 4 with the next solid
+  bool as_published =
+      false;            ///< point: independent directions, and the sum clamped to 1 (compat = "tinyrender")
+  int directions = 32;  ///< point, march: directions a pixel; gtao: slices, two directions each
+  int steps = 1;        ///< march (at least 2), gtao: steps along a direction
+  int layers = 1;       ///< depth layers: 1 front, 2 with the back face, 4 with the next solid
   bool half_resolution = false;   ///< shade every other pixel of every other row, then upsample
   int denoise_radius = 0;         ///< pixels of the shaded image; 0: no denoiser
   float depth_tolerance = 0.01f;  ///< denoiser, upsample: how far off the tangent plane a neighbour may be,
                                   ///< as a share of its depth
-  float guard = 0;  ///< guard band on each side, at most this share of the image's height
+  float guard = 0;                ///< guard band on each side, at most this share of the image's height
 
   bool operator==(const SsaoPlan&) const = default;
 };

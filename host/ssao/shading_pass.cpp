@@ -35,17 +35,17 @@ GlProgram::Defines estimator_defines(const SsaoPlan& plan) {
                                 {"LAYERS", std::to_string(plan.layers)}};
   switch (plan.method) {
     case Method::point:
-      defines.insert(defines.end(), {{"SAMPLES", directions}, {"RANGE_CHECK", plan.range_check ? "1" : "0"}});
+      defines.insert(defines.end(), {{"SAMPLES", directions},
+                                     {"RANGE_CHECK", plan.range_check ? "1" : "0"},
+                                     {"COSINE", plan.cosine ? "1" : "0"},
+                                     {"AS_PUBLISHED", plan.as_published ? "1" : "0"},
+                                     {"DENOISED", plan.denoise_radius > 0 ? "1" : "0"}});
       break;
     case Method::gtao:
-      defines.insert(defines.end(),
-                     {{"SLICES", directions}, {"TAPS", steps}, {"STEP_POWER", number(plan.step_power)}});
+      defines.insert(defines.end(), {{"SLICES", directions}, {"TAPS", steps}});
       break;
     case Method::march:
-      defines.insert(defines.end(), {{"DIRECTIONS", directions},
-                                     {"STEPS", steps},
-                                     {"STEP_POWER", number(plan.step_power)},
-                                     {"TOLERANCE", "1e-4"}});
+      defines.insert(defines.end(), {{"DIRECTIONS", directions}, {"STEPS", steps}, {"TOLERANCE", "1e-4"}});
       break;
   }
   return defines;
@@ -114,6 +114,7 @@ const GlFramebuffer& ShadingPass::draw(const SsaoPlan& plan, const SsaoView& vie
     program.bind("normals", 1, buffer.normals);
     if (plan.method == Method::point) program.bind("positions", 2, *buffer.position);
     if (plan.layers > 2) program.bind("surface2", 3, *buffer.surface2);
+    program.set("shaded_size", targets.shaded.width(), targets.shaded.height());
     program.set("radius", plan.radius);
     program.set("bias", plan.bias);
     draw_quad(targets.shaded_frame);

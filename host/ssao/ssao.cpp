@@ -130,12 +130,12 @@ SsaoFrame SsaoRenderer::render(const Camera& camera, const SsaoPlan& plan, int w
   watch.lap("geometry");
   const GlFramebuffer& result =
       s.shading.draw(plan, view, *s.buffer, *s.targets, [&](const char* pass) { watch.lap(pass); });
-  const std::vector<float> values = result.read(0, 4, 0, 0, width, height);
-  frame.occlusion.resize(values.size() / 4);
+  const std::vector<float> values = result.read(0, 2, 0, 0, width, height);
+  frame.occlusion.resize(values.size() / 2);
   frame.coverage.resize(frame.occlusion.size());
   for (std::size_t i = 0; i < frame.occlusion.size(); ++i) {
-    frame.occlusion[i] = values[4 * i];
-    frame.coverage[i] = values[4 * i + 1] > 0 ? 1.0f : 0.0f;
+    frame.occlusion[i] = values[2 * i];
+    frame.coverage[i] = values[2 * i + 1] > 0 ? 1.0f : 0.0f;
   }
   watch.lap("read");
   for (const SsaoTiming& timing : frame.timings) frame.seconds += timing.seconds;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -136,6 +137,24 @@ TEST(SsaoPoint, FlatPlaneIsExactlyOne) {
         SsaoRenderer(mesh).render({{0, 0, 3}, {0, 0, 0}, {0, 1, 0}, 50}, settings, 65, 33);
     for (const float value : frame.occlusion) ASSERT_EQ(value, 1.0f);
   }
+}
+
+// Independent directions: 1/32 sum 2 u has mean 1 and variance 1/(3 32); clamped to 1, a normal variable of
+// that spread loses sigma / sqrt(2 pi).
+TEST(SsaoPoint, AsPublishedAFlatPlaneIsClampedNoise) {
+  TriangleMesh mesh;
+  test::add_quad(mesh, {-10, -10, 0}, {20, 0, 0}, {0, 20, 0});
+  SsaoPlan plan;
+  plan.as_published = true;
+  const SsaoFrame frame = SsaoRenderer(mesh).render({{0, 0, 3}, {0, 0, 0}, {0, 1, 0}, 50}, plan, 256, 256);
+  double sum = 0;
+  for (const float value : frame.occlusion) {
+    ASSERT_LE(value, 1.0f);
+    sum += double(value);
+  }
+  // 65536 pixels of standard deviation .06: a standard error of 2.4e-4; 4 of them.
+  EXPECT_NEAR(sum / double(frame.occlusion.size()), 1 - std::sqrt(1.0 / (3 * 32) / (2 * std::acos(-1.0))),
+              1e-3);
 }
 
 // A silhouette far in front of a wall: without the range check the point method draws a dark halo around it,
