@@ -10,6 +10,8 @@
 #include "app/interrupt.hpp"
 #include "app/progress.hpp"
 #include "app/scene_options.hpp"
+#include "app/ssao_draw.hpp"
+#include "app/ssao_render.hpp"
 #include "base/error.hpp"
 #include "base/libraries.hpp"
 #include "bvh/bvh.hpp"
@@ -37,6 +39,7 @@ struct RenderOptions {
   fs::path output, stats;
   std::string progress = "auto";
   std::vector<std::string> aovs;
+  unsigned frames = 1;
   bool png = true, quiet = false, print_config = false;
 };
 
@@ -136,6 +139,13 @@ void finish(const RenderOptions& options, const fs::path& output, Image& image, 
   if (!options.quiet) announce_end(record, output);
 }
 
+// The layers of the screen-space effects beside the path-traced ones.
+void add_ssao(const Scene& scene, const TriangleMesh& mesh, const RenderOptions& options, RunRecord& record, Image& image) {
+  if (record.plan.ssao.empty()) return;
+  draw_ssao(scene, mesh, {}, options.frames, record, image);
+  if (!options.quiet) announce_ssao(record);
+}
+
 int render(const RenderOptions& options) {
   const Scene scene = options.scene.load();
   if (options.print_config) {
@@ -144,6 +154,11 @@ int render(const RenderOptions& options) {
   }
   const AovRequest aovs = parse_aovs(options.aovs);
   const ProgressMode mode = options.quiet ? ProgressMode::none : parse_progress(options.progress);
+  if (is_ssao_alone(scene)) {
+    const fs::path file = options.output.empty() ? fs::path(options.scene.scene).replace_extension(".exr") : options.output;
+    check_writable(file);
+    return render_ssao(scene, {options.scene.scene, file, options.stats, aovs, options.frames, options.device.threads, options.png, options.quiet});
+  }
   const std::optional<Share> shard = options.checkpoints.share();
   CheckpointWriter writer(options.checkpoints.file(options.scene.scene, options.output), options.checkpoints.every);
   if (!writer.file().empty()) check_writable(writer.file());
@@ -178,6 +193,7 @@ int render(const RenderOptions& options) {
     record.counts.camera_rays = tracer.counters().camera_rays;
     record.bytes_uploaded = device.bytes_uploaded();
     record.kernels_built = tracer.programs();
+    add_ssao(scene, mesh, options, record, image);
     finish(options, output, image, watch, whole, record);
     return 0;
   }
@@ -205,7 +221,10 @@ int render(const RenderOptions& options) {
   part.metadata = as_texts(record.metadata());
   writer.write(session);
   Image image;
-  if (!shard) image = make_picture(part);
+  if (!shard) {
+    image = make_picture(part);
+    add_ssao(scene, mesh, options, record, image);
+  }
   finish(options, output, image, watch, whole, record);
   return 0;
 }
@@ -221,6 +240,7 @@ void add_render_command(CLI::App& app, Command& chosen) {
   command->add_option("-o,--output", options->output, "EXR file; default: beside the scene, .exr for .toml. With --shard: the part's file");
   command->add_option("--aov", options->aovs, "More channels: normal,position,depth,variance,samples,alpha")->delimiter(',');
   command->add_option("--progress", options->progress, "auto, plain, json or none (to stderr)")->envname("NOOK_PROGRESS");
+  command->add_option("--frames", options->frames, "SSAO: draw the frame so often, and report the fastest")->check(CLI::Range(1, 100000));
   command->add_option("--stats", options->stats, "Write the run record as JSON");
   command->add_flag("--png,!--no-png", options->png, "Write a PNG preview beside the EXR (sRGB encoded); on by default");
   command->add_flag("--quiet", options->quiet, "Say nothing but errors");

@@ -63,6 +63,9 @@ void SceneOptions::add_to(CLI::App& command) {
   command.add_option("--sampler", sampler, "independent, stratified, halton, sobol, zorder")->envname("NOOK_SAMPLER");
   command.add_option("--max-distance", max_distance, "auto, none or a distance in world units")->envname("NOOK_MAX_DISTANCE");
   command.add_option("--exponent", exponent, "RO: Phong exponent, 0 to 1e7")->check(CLI::Range(0.0, 1e7))->envname("NOOK_EXPONENT");
+  command.add_option("--method", method, "SSAO: point, gtao, march")->envname("NOOK_METHOD");
+  command.add_option("--quality", quality, "SSAO: draft, real-time, accurate")->envname("NOOK_QUALITY");
+  command.add_option("--radius", radius, "SSAO: world units; 0: half the bounding radius")->check(CLI::NonNegativeNumber)->envname("NOOK_RADIUS");
   command.add_option("--seed", seed, "Seed of all random numbers")->envname("NOOK_SEED");
   command.add_option("--size", size, "Image size, e.g. 800x600")->envname("NOOK_SIZE");
   command.add_option("--crop", crop, "Render pixels x0 <= x < x1, y0 <= y < y1 only: x0,x1,y0,y1")->delimiter(',')->expected(4)->envname("NOOK_CROP");
@@ -80,6 +83,9 @@ Scene SceneOptions::load() const {
       effect.exponent = *exponent;
       effect.exponent_of_material = false;
     }
+    if (method) effect.ssao.method = chosen<SsaoSettings::Method>("--method", *method, ssao_method_names);
+    if (quality) effect.ssao.quality = chosen<SsaoSettings::Quality>("--quality", *quality, ssao_quality_names);
+    if (radius) effect.ssao.radius = *radius;
     if (max_distance) {
       const auto limit = parse_distance_limit(*max_distance);
       if (!limit) throw Error(ExitCode::usage, fmt::format("--max-distance: '{}' is not auto, none or a distance of at least 0", *max_distance));

@@ -16,8 +16,8 @@ namespace nook {
 struct SceneOptions {
   std::filesystem::path scene;
   std::optional<std::uint32_t> spp, directions, seed;
-  std::optional<std::string> sampling, sampler, max_distance, size;
-  std::optional<float> exponent;
+  std::optional<std::string> sampling, sampler, max_distance, size, method, quality;
+  std::optional<float> exponent, radius;
   std::vector<int> crop;
 
   /// Adds SCENE and the options to a subcommand.

@@ -27,6 +27,30 @@ nlohmann::json effect_json(const EffectPlan& effect) {
   return json;
 }
 
+void add_ssao_metadata(std::map<std::string, std::string>& m, const std::string& prefix, const SsaoRecord& record) {
+  const SsaoPlan& plan = record.plan;
+  m[prefix + "effect"] = "ssao";
+  m[prefix + "method"] = name_of(plan.method);
+  m[prefix + "quality"] = record.settings.quality ? name_of(*record.settings.quality) : "none";
+  m[prefix + "radius"] = fmt::format("{}", plan.radius);
+  m[prefix + "bias"] = fmt::format("{}", plan.bias);
+  m[prefix + (plan.method == SsaoSettings::Method::gtao ? "slices" : "ssao_directions")] = std::to_string(plan.directions);
+  m[prefix + "steps"] = std::to_string(plan.steps);
+  m[prefix + "depth_layers"] = std::to_string(plan.layers);
+  m[prefix + "seconds_per_frame"] = fmt::format("{:.4f}", record.seconds_per_frame);
+}
+
+nlohmann::json ssao_json(const SsaoRecord& record) {
+  nlohmann::json passes;
+  for (const SsaoTiming& pass : record.passes) passes[pass.pass] = pass.seconds;
+  return {{"type", "ssao"},
+          {"method", name_of(record.plan.method)},
+          {"radius", record.plan.radius},
+          {"frames", record.frames},
+          {"seconds_per_frame", record.seconds_per_frame},
+          {"passes", passes}};
+}
+
 }  // namespace
 
 std::map<std::string, std::string> RunRecord::metadata() const {
@@ -48,6 +72,10 @@ std::map<std::string, std::string> RunRecord::metadata() const {
     m[prefix + "max_distance"] = distance_text(effect.max_distance);
     if (effect.effect.kind == EffectKind::ro)
       m[prefix + "exponent"] = effect.effect.exponent_of_material ? "material" : fmt::format("{}", effect.effect.exponent);
+  }
+  for (std::size_t e = 0; e < ssao.size(); ++e) {
+    const std::size_t index = plan.effects.size() + e;
+    add_ssao_metadata(m, index == 0 ? "nook/" : fmt::format("nook/effect{}/", index + 1), ssao[e]);
   }
   m["nook/device"] = device.name;
   m["nook/driver"] = device.platform_name + " " + device.driver;
@@ -98,6 +126,7 @@ void write_stats(const std::filesystem::path& path, const RunRecord& r) {
     json["effects"].push_back(effect_json(r.plan.effects[e]));
     if (e < r.effect_rays.size()) json["effects"].back()["rays"] = r.effect_rays[e];
   }
+  for (const SsaoRecord& record : r.ssao) json["effects"].push_back(ssao_json(record));
   const std::string text = json.dump(2) + '\n';
   PendingFile file(path);
   file.write(text.data(), text.size());

@@ -10,6 +10,7 @@
 #include "mesh/triangle_mesh.hpp"
 #include "render/path_tracer.hpp"
 #include "render/plan.hpp"
+#include "ssao/ssao.hpp"
 
 namespace nook {
 
@@ -18,12 +19,22 @@ struct RunSeconds {
   double load = 0, bvh = 0, compile = 0, render = 0, write = 0, total = 0;
 };
 
+/// A screen-space effect of a run: what was drawn, and the fastest time of each pass over its frames.
+struct SsaoRecord {
+  SsaoSettings settings;
+  SsaoPlan plan;
+  unsigned frames = 1;
+  std::vector<SsaoTiming> passes;
+  double seconds_per_frame = 0;  ///< of the fastest frame
+};
+
 /// What a run did: the EXR's metadata and `--stats`.
 struct RunRecord {
   Plan plan;
   std::string scene_hash, mesh_hash;
   std::string scene_file;
-  DeviceInfo device;
+  DeviceInfo device;  ///< name, platform_name and driver alone if only SSAO was drawn, by OpenGL
+  std::vector<SsaoRecord> ssao;
   RunSeconds seconds;
   TraceCounts counts;
   std::uint64_t launches = 0;

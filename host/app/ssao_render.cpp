@@ -1,0 +1,58 @@
+#include "app/ssao_render.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+
+#include "app/scene_options.hpp"
+#include "app/ssao_draw.hpp"
+#include "base/libraries.hpp"
+#include "film/exr.hpp"
+#include "film/png.hpp"
+#include "mesh/mesh_analysis.hpp"
+#include "mesh/obj_loader.hpp"
+
+namespace nook {
+
+bool is_ssao_alone(const Scene& scene) {
+  return std::all_of(scene.effects.begin(), scene.effects.end(), [](const Effect& e) { return e.kind == EffectKind::ssao; });
+}
+
+int render_ssao(const Scene& scene, const SsaoRun& run) {
+  using Clock = std::chrono::steady_clock;
+  const auto seconds_since = [](Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const Clock::time_point start = Clock::now();
+  RunRecord record;
+  record.scene_file = run.scene_file.string();
+  // llvmpipe has no other way; it reads this when the context is made.
+  if (run.threads > 0) setenv("LP_NUM_THREADS", std::to_string(run.threads).c_str(), 1);
+  const TriangleMesh mesh = load_obj(scene.mesh_file, needed_attributes(scene, run.aovs.normal));
+  record.seconds.load = seconds_since(start);
+  record.plan = make_plan(scene, mesh);
+  record.triangles = mesh.triangles.size();
+  record.scene_hash = scene_hash(scene);
+  record.mesh_hash = mesh_hash(mesh);
+
+  const Clock::time_point drawing = Clock::now();
+  Image image;
+  draw_ssao(scene, mesh, run.aovs, run.frames, record, image);
+  record.seconds.render = seconds_since(drawing);
+  if (!run.quiet) announce_ssao(record);
+
+  const Clock::time_point writing = Clock::now();
+  image.metadata = record.metadata();
+  write_exr(run.output, image);
+  if (run.png) write_png(std::filesystem::path(run.output).replace_extension(".png"), image);
+  record.seconds.write = seconds_since(writing);
+  record.seconds.total = seconds_since(start);
+  record.libraries = mapped_libraries();
+  if (!run.stats.empty()) write_stats(run.stats, record);
+  if (!run.quiet)
+    fmt::print(stderr, "{}: load {:.2f} s, render {:.2f} s, write {:.2f} s\n", run.output.string(), record.seconds.load,
+               record.seconds.render, record.seconds.write);
+  return 0;
+}
+
+}  // namespace nook

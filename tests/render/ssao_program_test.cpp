@@ -1,0 +1,100 @@
+// The whole program on small scenes: files, exit codes, and which libraries a run loads.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "film/exr.hpp"
+#include "ssao_scenes.hpp"
+#include "temporary_folder.hpp"
+
+namespace nook {
+namespace {
+
+using test::TemporaryFolder;
+
+void write_obj(const TriangleMesh& mesh, const std::filesystem::path& path) {
+  std::ofstream out(path);
+  for (const vec3& p : mesh.positions) out << "v " << p.x << ' ' << p.y << ' ' << p.z << '\n';
+  for (const auto& t : mesh.triangles) out << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
+}
+
+class SsaoProgram : public ::testing::Test {
+ protected:
+  SsaoProgram() { write_obj(test::asymmetric_scene(), folder / "mesh.obj"); }
+
+  void write_scene(const std::string& renderer) {
+    std::ofstream(folder / "scene.toml")
+        << "[input]\nobjfile = \"mesh.obj\"\n[camera]\neye = [1.1, 1.7, 3.1]\n"
+           "at = [-0.1, 0.3, 0]\nfov = 40\n[film]\nwidth = 64\nheight = 48\n[renderer]\n"
+        << renderer;
+  }
+
+  // Runs `nook render scene.toml` with `environment` set for it; returns the exit code. stderr is in the file
+  // "stderr".
+  int render(const std::string& environment, const std::string& options = "") {
+    const std::string command = "env " + environment + " " + NOOK_PROGRAM + " render " +
+                                (folder / "scene.toml").string() + " " + options + " 2> " +
+                                (folder / "stderr").string();
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  // Every library that the dynamic loader opened during a render of the scene.
+  std::string libraries_of_a_render() {
+    EXPECT_EQ(render("LD_DEBUG=files LD_DEBUG_OUTPUT=" + (folder / "loader").string(), "--quiet"), 0)
+        << test::read_bytes(folder / "stderr");
+    std::string log;
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+      if (entry.path().filename().string().starts_with("loader.")) log += test::read_bytes(entry.path());
+    EXPECT_NE(log.find("libc.so"), std::string::npos) << "the loader kept no log";
+    return log;
+  }
+
+  TemporaryFolder folder;
+};
+
+TEST_F(SsaoProgram, WritesTheSameFilesAsOffline) {
+  write_scene("realtime = true\ntype = \"ssao\"\nmethod = \"point\"\nradius = 0.3\n");
+  ASSERT_EQ(render("NOOK_OSMESA=", "--frames 2 --aov alpha,normal,position,depth"), 0)
+      << test::read_bytes(folder / "stderr");
+  const Image image = read_exr(folder / "scene.exr");
+  EXPECT_EQ(image.width, 64);
+  EXPECT_EQ(image.height, 48);
+  for (const char* name : {"R", "G", "B", "A", "N.X", "N.Y", "N.Z", "P.X", "P.Y", "P.Z", "Z"})
+    EXPECT_TRUE(image.find(name)) << name;
+  EXPECT_EQ(image.metadata.at("nook/effect"), "ssao");
+  EXPECT_EQ(image.metadata.at("nook/method"), "point");
+  EXPECT_EQ(std::stof(image.metadata.at("nook/radius")), 0.3f);
+  EXPECT_TRUE(std::filesystem::exists(folder / "scene.png"));
+}
+
+TEST_F(SsaoProgram, WithoutOsMesaOneLineAndExitCode4) {
+  write_scene("realtime = true\ntype = \"ssao\"\n");
+  EXPECT_EQ(render("NOOK_OSMESA=libnook-no-such-library.so"), 4);
+  const std::string message = test::read_bytes(folder / "stderr");
+  EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 1) << message;
+  EXPECT_NE(message.find("libnook-no-such-library.so"), std::string::npos) << message;
+  EXPECT_FALSE(std::filesystem::exists(folder / "scene.exr"));
+  EXPECT_EQ(render("GALLIUM_DRIVER=typo"), 4);
+}
+
+TEST_F(SsaoProgram, SsaoAloneLoadsNothingOfOpenCl) {
+  write_scene("realtime = true\ntype = \"ssao\"\n");
+  const std::string libraries = libraries_of_a_render();
+  EXPECT_NE(libraries.find("libOSMesa"), std::string::npos);
+  EXPECT_EQ(libraries.find("libOpenCL"), std::string::npos);
+  EXPECT_EQ(libraries.find("libpocl"), std::string::npos);
+}
+
+TEST_F(SsaoProgram, OfflineLoadsNothingOfOpenGl) {
+  write_scene("type = \"ao\"\n");
+  const std::string libraries = libraries_of_a_render();
+  EXPECT_NE(libraries.find("libOpenCL"), std::string::npos);
+  EXPECT_EQ(libraries.find("libOSMesa"), std::string::npos);
+  EXPECT_EQ(libraries.find("libGL"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace nook
