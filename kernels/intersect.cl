@@ -96,7 +96,9 @@ bool triangle_nearer(float3 o, const RayShear* s, float3 p0, float3 p1, float3 p
 }
 
 // Origin for rays that leave the point (1-u-v) p0 + u p1 + v p2 of a triangle: off its plane by a bound on the
-// rounding error of that point, gamma(7) sum |b_i p_i| (Pharr, Jakob, Humphreys, pbrt 4th ed., 6.8.6), rounded away.
+// rounding error of that point, gamma(7) sum |b_i p_i| (Pharr, Jakob, Humphreys, pbrt 4th ed., 6.8.6), rounded away, and by what
+// the intersection may be off for this triangle: sheared coordinates are products of its extent, and where the point is exactly
+// in its plane (a floor at height 0) their roundings alone would decide on which side it lies.
 // geometric_normal: unit; side: >= 0 for the side it points to, < 0 for the other.
 float3 offset_origin(float3 p0, float3 p1, float3 p2, float u, float v, float3 geometric_normal, float side) {
   const float w = 1.0f - u - v;
@@ -104,7 +106,10 @@ float3 offset_origin(float3 p0, float3 p1, float3 p2, float u, float v, float3 g
   const float gamma7 = 4.172328e-7f;  // 7 e / (1 - 7 e), e = 2^-24
   const float3 error = gamma7 * (fabs(w * p0) + fabs(u * p1) + fabs(v * p2));
   const float3 n = side < 0.0f ? -geometric_normal : geometric_normal;
-  const float3 offset = dot(fabs(n), error) * n;
+  const float3 reach = fmax(fabs(p0 - point), fmax(fabs(p1 - point), fabs(p2 - point)));
+  const float extent = fmax(reach.x, fmax(reach.y, reach.z));
+  const float of_intersection = 9.536743e-7f * extent;  // 16 e
+  const float3 offset = (dot(fabs(n), error) + of_intersection) * n;
   const float3 moved = point + offset;
   const float3 away = select((float3)(-INFINITY), (float3)(INFINITY), offset > 0.0f);
   return select(moved, nextafter(moved, away), offset != 0.0f);
