@@ -19,7 +19,7 @@ void spend(SsaoPlan& plan, Quality quality) {
   const bool accurate = quality == Quality::accurate, draft = quality == Quality::draft;
   plan.half_resolution = !accurate;
   plan.denoise_radius = 2;
-  plan.guard = accurate ? 0.5f : draft ? 0.0f : 0.05f;
+  plan.guard = accurate ? 0.5f : draft ? 0.0f : 0.1f;
   plan.layers = accurate ? 4 : 2;
   switch (plan.method) {
     case Method::point:
@@ -33,7 +33,7 @@ void spend(SsaoPlan& plan, Quality quality) {
       break;
     case Method::march:
       plan.directions = accurate ? 32 : draft ? 4 : 8;
-      plan.steps = accurate ? 16 : 4;
+      plan.steps = accurate ? 16 : draft ? 4 : 6;
       break;
   }
 }
