@@ -62,7 +62,8 @@ double KernelRunner::shared(float max_distance, std::vector<std::uint32_t>& bits
   if (result_bytes_ < bits.size() * 4) result_ = device_.buffer(result_bytes_ = bits.size() * 4);
   set_args(shared_, nodes_.get(), leaves_.get(), points_.get(), point_count_, sets_.get(), set_size_, max_distance,
            result_.get());
-  return run(shared_, point_count_, bits.data(), bits.size() * 4);
+  const std::size_t per_stream = 32 / set_size_;
+  return run(shared_, (point_count_ + per_stream - 1) / per_stream, bits.data(), bits.size() * 4);
 }
 
 double KernelRunner::own(float max_distance, std::vector<std::uint32_t>& bits) {

@@ -51,15 +51,23 @@ int or_lanes(int16 v) { return or_8_lanes(v.lo | v.hi); }
 #define OR_LEAF_LANES(v) or_8_lanes(v)
 #endif
 
-// Asks for a node or leaf that is visited next: on its way while the present one is tested.
+// Asks for a node or leaf that is visited later.
 #if defined(__clang__) && (defined(__x86_64__) || defined(__aarch64__))
-#define PREFETCH_LINES(p, bytes)                           \
-  {                                                        \
-    for (uint line = 0; line < (uint)(bytes); line += 64u) \
+#define PREFETCH_LINES(p, bytes)                             \
+  {                                                          \
+    for (uint line = 0; line < (uint)(bytes); line += 64u)   \
       __builtin_prefetch((const void*)((size_t)(p) + line)); \
   }
+#define PREFETCH_ITEM(item)                                                                           \
+  {                                                                                                   \
+    if ((item) & BVH_LEAF)                                                                            \
+      PREFETCH_LINES(&leaves[(item) & ~BVH_LEAF], sizeof(TriangleLeaf))                               \
+    else                                                                                              \
+      PREFETCH_LINES(&nodes[item], sizeof(BvhNode))                                                   \
+  }
 #else
-#define PREFETCH_LINES(p, bytes) {}
+#define PREFETCH_ITEM(item) \
+  {}
 #endif
 
 #if STREAM_AVX512

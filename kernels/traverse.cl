@@ -20,18 +20,8 @@
 #include "traverse_scalar.cl"
 #include "traverse_stream.cl"
 
-uint occluded_from(BVH_PARAMS, float3 origin, const RayDirections* d, uint active, float max_distance) {
-  if (!TRAVERSAL_SCALAR) return stream_occluded_from(BVH_ARGS, origin, d, active, max_distance);
-  uint occluded = 0;
-  for (uint rest = active; rest; rest &= rest - 1) {
-    const uint k = lowest_bit(rest);
-    if (occluded_ray(BVH_ARGS, origin, ray_direction(d, k), max_distance)) occluded |= 1u << k;
-  }
-  return occluded;
-}
-
 uint occluded_rays(BVH_PARAMS, const RayDirections* origins, const RayDirections* d, uint active, float max_distance) {
-  if (!TRAVERSAL_SCALAR) return stream_occluded_rays(BVH_ARGS, origins, d, active, max_distance);
+  if (!TRAVERSAL_SCALAR) return stream_occluded(BVH_ARGS, origins, d, active, max_distance);
   uint occluded = 0;
   for (uint rest = active; rest; rest &= rest - 1) {
     const uint k = lowest_bit(rest);
@@ -40,10 +30,22 @@ uint occluded_rays(BVH_PARAMS, const RayDirections* origins, const RayDirections
   return occluded;
 }
 
+void share_origin(RayDirections* origins, float3 origin) {
+  for (uint k = 0; k < 32; ++k) origins->x[k] = origin.x, origins->y[k] = origin.y, origins->z[k] = origin.z;
+}
+
+uint occluded_from(BVH_PARAMS, float3 origin, const RayDirections* d, uint active, float max_distance) {
+  RayDirections origins;
+  share_origin(&origins, origin);
+  return occluded_rays(BVH_ARGS, &origins, d, active, max_distance);
+}
+
 void closest_from(BVH_PARAMS, float3 origin, const RayDirections* d, uint active, float* t, uint* triangle, float* u,
                   float* v) {
+  RayDirections origins;
+  share_origin(&origins, origin);
   if (!TRAVERSAL_SCALAR) {
-    stream_closest_from(BVH_ARGS, origin, d, active, t, triangle, u, v);
+    stream_closest(BVH_ARGS, &origins, d, active, t, triangle, u, v);
     return;
   }
   for (uint rest = active; rest; rest &= rest - 1) {

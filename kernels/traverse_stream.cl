@@ -9,7 +9,7 @@
 
 // What the tests read of each ray. Offsets count floats.
 typedef struct {
-  float ox[32], oy[32], oz[32];             // origins; unused where all rays share one
+  float ox[32], oy[32], oz[32];             // origins
   float ix[32], iy[32], iz[32];             // 1/d
   uint near_x[32], near_y[32], near_z[32];  // BvhNode planes that the ray enters through
   float shear_x[32], shear_y[32];           // RayShear
@@ -21,14 +21,11 @@ typedef struct {
 
 #define HI_PLANES (3u * BVH_WIDTH)    // BvhNode.hi behind BvhNode.lo
 #define VERTEX_ROWS (3u * BVH_LEAF_WIDTH)  // TriangleLeaf.p[1] behind p[0]
-#ifndef STREAM_OWN_TEST
-#define STREAM_OWN_TEST false
-#endif
 #define SIGN_BIT 0x80000000u
 
 // Rays [first, first + 16), as shear_ray() does it for one.
-void prepare_rays(StreamRays* r, float16 ox, float16 oy, float16 oz, const RayDirections* d, uint first,
-                  float max_distance) {
+void prepare_rays(StreamRays* r, const RayDirections* origins, const RayDirections* d, uint first, float max_distance) {
+  const float16 ox = vload16(0, origins->x + first), oy = vload16(0, origins->y + first), oz = vload16(0, origins->z + first);
   const float16 x = vload16(0, d->x + first), y = vload16(0, d->y + first), z = vload16(0, d->z + first);
   const float16 ix = 1.0f / x, iy = 1.0f / y, iz = 1.0f / z;
   STORE_FLOATS(r->ox + first, ox);
@@ -57,24 +54,22 @@ void prepare_rays(StreamRays* r, float16 ox, float16 oy, float16 oz, const RayDi
   STORE_FLOATS(r->row_oy + first, along_z ? oy : along_y ? ox : oz);
 }
 
-void prepare_shared(StreamRays* r, float3 o, const RayDirections* d, uint active, float max_distance) {
-  const float16 ox = o.x, oy = o.y, oz = o.z;
-  for (uint first = 0; first < 32 && active >> first; first += 16)
-    prepare_rays(r, ox, oy, oz, d, first, max_distance);
+void prepare_stream(StreamRays* r, const RayDirections* origins, const RayDirections* d, uint active, float max_distance) {
+  for (uint first = 0; first < 32 && active >> first; first += 16) prepare_rays(r, origins, d, first, max_distance);
 }
 
 // enter_box() for all children of a node: entry distances, and lanes of -1 where ray k meets the child within [0, limit].
-INLINE int16 enter_children(__global const BvhNode* node, float3 o, const StreamRays* r, uint k, float limit,
-                            float16* entry) {
+INLINE int16 enter_children(__global const BvhNode* node, const StreamRays* r, uint k, float limit, float16* entry) {
   __global const float* planes = &node->lo[0][0];
   const uint nx = r->near_x[k], ny = r->near_y[k], nz = r->near_z[k];
   const uint fx = HI_PLANES - nx, fy = HI_PLANES + 2u * BVH_WIDTH - ny, fz = HI_PLANES + 4u * BVH_WIDTH - nz;
-  const float16 ax = (vload16(0, planes + nx) - o.x) * r->ix[k];
-  const float16 ay = (vload16(0, planes + ny) - o.y) * r->iy[k];
-  const float16 az = (vload16(0, planes + nz) - o.z) * r->iz[k];
-  const float16 bx = (vload16(0, planes + fx) - o.x) * r->ix[k];
-  const float16 by = (vload16(0, planes + fy) - o.y) * r->iy[k];
-  const float16 bz = (vload16(0, planes + fz) - o.z) * r->iz[k];
+  const float ox = r->ox[k], oy = r->oy[k], oz = r->oz[k];
+  const float16 ax = (vload16(0, planes + nx) - ox) * r->ix[k];
+  const float16 ay = (vload16(0, planes + ny) - oy) * r->iy[k];
+  const float16 az = (vload16(0, planes + nz) - oz) * r->iz[k];
+  const float16 bx = (vload16(0, planes + fx) - ox) * r->ix[k];
+  const float16 by = (vload16(0, planes + fy) - oy) * r->iy[k];
+  const float16 bz = (vload16(0, planes + fz) - oz) * r->iz[k];
   float16 enter = 0.0f, leave = limit;
   enter = ax > enter ? ax : enter;
   leave = bx < leave ? bx : leave;
@@ -124,10 +119,11 @@ INLINE leaf_int leaf_occludes(__global const TriangleLeaf* leaf, const StreamRay
   return t.inside & (height > 0.0f) & (height < fabs(t.det) * r->limit_z[k]);
 }
 
-// The any-hit traversal. own_origins is a constant at each call, and the call is inlined. One entry waits between the
-// stack and its visit, while the memory is on its way.
-INLINE uint stream_occluded(BVH_PARAMS, float3 origin, const StreamRays* rays, bool own_origins, uint active,
-                            float max_distance) {
+// The any-hit traversal. What a node pushes is fetched into the cache at once, and one more entry is visited before the
+// stack's new top: the memory is there when its turn comes.
+uint stream_occluded(BVH_PARAMS, const RayDirections* origins, const RayDirections* d, uint active, float max_distance) {
+  StreamRays rays;
+  prepare_stream(&rays, origins, d, active, max_distance);
   uint stack_item[BVH_STACK_SIZE + BVH_WIDTH];  // a push writes whole vectors
   uint stack_rays[BVH_STACK_SIZE + BVH_WIDTH];
   uint size = 0;
@@ -139,11 +135,6 @@ INLINE uint stream_occluded(BVH_PARAMS, float3 origin, const StreamRays* rays, b
       next = stack_item[--size];
       next_rays = stack_rays[size] & open;
     }
-    if (next_rays && (next & BVH_LEAF)) {
-      PREFETCH_LINES(&leaves[next & ~BVH_LEAF], sizeof(TriangleLeaf))
-    } else if (next_rays) {
-      PREFETCH_LINES(&nodes[next], sizeof(BvhNode))
-    }
     rest &= open;
     if (rest && (item & BVH_LEAF)) {
       __global const TriangleLeaf* leaf = &leaves[item & ~BVH_LEAF];
@@ -151,7 +142,7 @@ INLINE uint stream_occluded(BVH_PARAMS, float3 origin, const StreamRays* rays, b
       do {
         const uint k = LOWEST_BIT(rest);
         rest &= rest - 1;
-        met |= leaf_occludes(leaf, rays, k) & (leaf_int)(int)(1u << k);
+        met |= leaf_occludes(leaf, &rays, k) & (leaf_int)(int)(1u << k);
       } while (rest);
       open &= ~(uint)OR_LEAF_LANES(met);
     } else if (rest) {
@@ -160,14 +151,13 @@ INLINE uint stream_occluded(BVH_PARAMS, float3 origin, const StreamRays* rays, b
       do {
         const uint k = LOWEST_BIT(rest);
         rest &= rest - 1;
-        const float3 o = own_origins ? (float3)(rays->ox[k], rays->oy[k], rays->oz[k]) : origin;
         float16 entry;
-        met |= enter_children(node, o, rays, k, max_distance, &entry) & (int16)(int)(1u << k);
+        met |= enter_children(node, &rays, k, max_distance, &entry) & (int16)(int)(1u << k);
       } while (rest);
       const uint lanes = NONZERO_LANES(met);
       APPEND_LANES(stack_item + size, vload16(0, node->child), lanes);
       APPEND_LANES(stack_rays + size, as_uint16(met), lanes);
-      size += popcount(lanes);
+      for (const uint end = size + popcount(lanes); size < end; ++size) PREFETCH_ITEM(stack_item[size])
     } else if (!next_rays) {
       break;
     }
@@ -177,26 +167,11 @@ INLINE uint stream_occluded(BVH_PARAMS, float3 origin, const StreamRays* rays, b
   return active & ~open;
 }
 
-uint stream_occluded_from(BVH_PARAMS, float3 origin, const RayDirections* d, uint active, float max_distance) {
-  StreamRays rays;
-  prepare_shared(&rays, origin, d, active, max_distance);
-  return stream_occluded(BVH_ARGS, origin, &rays, STREAM_OWN_TEST, active, max_distance);
-}
-
-uint stream_occluded_rays(BVH_PARAMS, const RayDirections* origins, const RayDirections* d, uint active,
-                          float max_distance) {
-  StreamRays rays;
-  for (uint first = 0; first < 32 && active >> first; first += 16)
-    prepare_rays(&rays, vload16(0, origins->x + first), vload16(0, origins->y + first), vload16(0, origins->z + first), d,
-                 first, max_distance);
-  return stream_occluded(BVH_ARGS, (float3)(0.0f), &rays, true, active, max_distance);
-}
-
 // The nearest hits, front to back by the distance at which the first of the rays enters.
-void stream_closest_from(BVH_PARAMS, float3 origin, const RayDirections* d, uint active, float* t, uint* triangle,
-                         float* u, float* v) {
+void stream_closest(BVH_PARAMS, const RayDirections* origins, const RayDirections* d, uint active, float* t,
+                    uint* triangle, float* u, float* v) {
   StreamRays rays;
-  prepare_shared(&rays, origin, d, active, INFINITY);
+  prepare_stream(&rays, origins, d, active, INFINITY);
   for (uint rest = active; rest; rest &= rest - 1) triangle[LOWEST_BIT(rest)] = NO_TRIANGLE;
   const leaf_int leaf_bits = LEAF_BITS;
   uint stack_item[BVH_STACK_SIZE];
@@ -246,7 +221,7 @@ void stream_closest_from(BVH_PARAMS, float3 origin, const RayDirections* d, uint
         const uint k = LOWEST_BIT(rest);
         if (least_entry > t[k] * FAR_PLANE_GROWTH) continue;
         float16 entry;
-        const int16 hit = enter_children(node, origin, &rays, k, t[k], &entry);
+        const int16 hit = enter_children(node, &rays, k, t[k], &entry);
         met |= hit & (int16)(int)(1u << k);
         entry = hit ? entry : (float16)(INFINITY);
         nearest = entry < nearest ? entry : nearest;

@@ -33,14 +33,22 @@ uint make_directions(__global const float* point, uint i, __global const float* 
   return active;
 }
 
-// `size` directions (at most 32) from each point; bits[i]: those occluded.
+// `size` directions (at most 32) from each point, as many points a stream as fit; bits[i]: those of point i occluded.
 __kernel void occlusion_shared(BVH_PARAMS, __global const float* points, uint count, __global const float* sets, uint size,
                                float max_distance, __global uint* bits) {
-  const uint i = get_global_id(0);
-  if (i >= count) return;
-  RayDirections d;
-  const uint active = make_directions(points + 9 * i, i, sets, size, 0, size, 0, &d);
-  bits[i] = occluded_from(BVH_ARGS, load3(points + 9 * i), &d, active, max_distance);
+  const uint per_stream = 32u / size;
+  const uint begin = get_global_id(0) * per_stream;
+  if (begin >= count) return;
+  const uint n = min(per_stream, count - begin);
+  RayDirections o, d;
+  uint active = 0;
+  for (uint j = 0; j < n; ++j) {
+    __global const float* point = points + 9 * (begin + j);
+    active |= make_directions(point, begin + j, sets, size, 0, size, j * size, &d);
+    for (uint k = j * size; k < (j + 1) * size; ++k) o.x[k] = point[0], o.y[k] = point[1], o.z[k] = point[2];
+  }
+  const uint occluded = occluded_rays(BVH_ARGS, &o, &d, active, max_distance);
+  for (uint j = 0; j < n; ++j) bits[begin + j] = occluded >> (j * size) & (0xffffffffu >> (32u - size));
 }
 
 // One direction (direction 0 of its set) from each point, 32 consecutive points a stream; bits[i / 32]: those occluded.
