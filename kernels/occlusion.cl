@@ -25,7 +25,8 @@ float exponent_of(__global const SurfacePoint* point, __global const float* expo
   return point->material == 0xffffffffu ? -1.0f : exponents[point->material];
 }
 
-// Directions [task.first_direction, + p.directions) at each camera sample of each task, summed into results[task].
+// Directions [task.first_direction, + p.directions) at each camera sample of each task, summed into results[task]. A stream
+// holds the directions of as many camera samples as fit (32 / directions), or a part of one sample's.
 __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* tasks, uint task_count,
                         __global const SurfacePoint* points, __global TaskResult* results,
                         __global const float* exponents) {
@@ -33,44 +34,57 @@ __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* task
   if (id >= task_count) return;
   Task task = tasks[id];
   TaskResult result = {0, 0, 0, 0, 0, 0};
-  for (uint s = 0; s < p.samples; ++s) {
-    __global const SurfacePoint* point = points + task.point + s;
-    if (!(point->flags & SURFACE_HIT)) continue;
-    ++result.hits;
-    float exponent = EXPONENT_OF_MATERIAL ? exponent_of(point, exponents) : p.exponent;
-    if (EXPONENT_OF_MATERIAL && !(exponent >= 0.0f)) continue;
-    float3 origin = (float3)(point->origin[0], point->origin[1], point->origin[2]);
-    ulong of_sample = 0;
+  const uint per_stream = max(1u, STREAM / p.directions);
+  for (uint first = 0; first < p.samples; first += per_stream) {
+    const uint samples = min(per_stream, p.samples - first);
+    uint hits = 0;  // bit j: sample first + j has a surface to estimate at
+    for (uint j = 0; j < samples; ++j) {
+      __global const SurfacePoint* point = points + task.point + first + j;
+      if (!(point->flags & SURFACE_HIT)) continue;
+      ++result.hits;
+      if (EXPONENT_OF_MATERIAL && !(exponent_of(point, exponents) >= 0.0f)) continue;
+      hits |= 1u << j;
+    }
+    ulong of_sample[STREAM];
+    for (uint j = 0; j < samples; ++j) of_sample[j] = 0;
     for (uint begin = 0; begin < p.directions; begin += STREAM) {
-      uint count = min(STREAM, p.directions - begin);
-      RayDirections directions;
+      const uint count = min(STREAM, p.directions - begin);
+      RayDirections origins, directions;
       float weight[STREAM];
       uint active = 0;
-      for (uint k = 0; k < count; ++k) {
-        float3 d;
-        float2 square = sample_direction(task.pixel, task.first_sample + s, task.first_direction + begin + k, &p);
-        float w = sample_effect(square, point, exponent, &d);
-        if (!isfinite(w)) {
-          ++result.rejected;
-          w = 0.0f;
+      for (uint rest = hits; rest; rest &= rest - 1) {
+        const uint j = lowest_bit(rest);
+        __global const SurfacePoint* point = points + task.point + first + j;
+        const float exponent = EXPONENT_OF_MATERIAL ? exponent_of(point, exponents) : p.exponent;
+        for (uint k = 0; k < count; ++k) {
+          const uint ray = j * count + k;
+          float3 d;
+          const float2 square =
+              sample_direction(task.pixel, task.first_sample + first + j, task.first_direction + begin + k, &p);
+          float w = sample_effect(square, point, exponent, &d);
+          if (!isfinite(w)) {
+            ++result.rejected;
+            w = 0.0f;
+          }
+          weight[ray] = w;
+          origins.x[ray] = point->origin[0], origins.y[ray] = point->origin[1], origins.z[ray] = point->origin[2];
+          directions.x[ray] = d.x, directions.y[ray] = d.y, directions.z[ray] = d.z;
+          if (w > 0.0f) active |= 1u << ray;
         }
-        weight[k] = w;
-        directions.x[k] = d.x;
-        directions.y[k] = d.y;
-        directions.z[k] = d.z;
-        if (w > 0.0f) active |= 1u << k;
       }
       result.rays += popcount(active);
-      uint open = active & ~occluded_from(BVH_ARGS, origin, &directions, active, p.max_distance);
-      for (uint k = 0; k < count; ++k) {
-        if (!(open >> k & 1u)) continue;
-        of_sample += convert_ulong_rte(weight[k] * p.sum_scale);
-        if (REPLICATE_DIRECTIONS) result.sum_square += convert_ulong_rte(weight[k] * weight[k] * p.square_scale);
+      uint open = active & ~occluded_rays(BVH_ARGS, &origins, &directions, active, p.max_distance);
+      for (; open; open &= open - 1) {
+        const uint ray = lowest_bit(open);
+        of_sample[ray / count] += convert_ulong_rte(weight[ray] * p.sum_scale);
+        if (REPLICATE_DIRECTIONS) result.sum_square += convert_ulong_rte(weight[ray] * weight[ray] * p.square_scale);
       }
     }
-    result.sum += of_sample;
-    if (!REPLICATE_DIRECTIONS) {
-      float mean = (float)of_sample / (p.sum_scale * (float)p.directions);
+    for (uint rest = hits; rest; rest &= rest - 1) {
+      const uint j = lowest_bit(rest);
+      result.sum += of_sample[j];
+      if (REPLICATE_DIRECTIONS) continue;
+      const float mean = (float)of_sample[j] / (p.sum_scale * (float)p.directions);
       result.sum_square += convert_ulong_rte(mean * mean * p.square_scale);
     }
   }

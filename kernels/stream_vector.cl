@@ -53,17 +53,16 @@ int or_lanes(int16 v) { return or_8_lanes(v.lo | v.hi); }
 
 // Asks for a node or leaf that is visited later.
 #if defined(__clang__) && (defined(__x86_64__) || defined(__aarch64__))
-#define PREFETCH_LINES(p, bytes)                             \
-  {                                                          \
-    for (uint line = 0; line < (uint)(bytes); line += 64u)   \
-      __builtin_prefetch((const void*)((size_t)(p) + line)); \
-  }
-#define PREFETCH_ITEM(item)                                                                           \
-  {                                                                                                   \
-    if ((item) & BVH_LEAF)                                                                            \
-      PREFETCH_LINES(&leaves[(item) & ~BVH_LEAF], sizeof(TriangleLeaf))                               \
-    else                                                                                              \
-      PREFETCH_LINES(&nodes[item], sizeof(BvhNode))                                                   \
+#define PREFETCH_LINE(p, line) __builtin_prefetch((const void*)((size_t)(p) + 64u * (line)))
+#define PREFETCH_ITEM(item)                                                                              \
+  {                                                                                                      \
+    if ((item) & BVH_LEAF) {                                                                             \
+      __attribute__((opencl_unroll_hint)) for (uint line = 0; line < sizeof(TriangleLeaf) / 64; ++line) \
+          PREFETCH_LINE(&leaves[(item) & ~BVH_LEAF], line);                                              \
+    } else {                                                                                             \
+      __attribute__((opencl_unroll_hint)) for (uint line = 0; line < sizeof(BvhNode) / 64; ++line)      \
+          PREFETCH_LINE(&nodes[item], line);                                                             \
+    }                                                                                                    \
   }
 #else
 #define PREFETCH_ITEM(item) \

@@ -233,6 +233,7 @@ void stream_closest(BVH_PARAMS, const RayDirections* origins, const RayDirection
       const uint first = size;
       for (uint lanes = NONZERO_LANES(met); lanes; lanes &= lanes - 1) {
         const uint lane = LOWEST_BIT(lanes);
+        PREFETCH_ITEM(node->child[lane])
         uint place = size++;  // insertion keeps the nearest on top
         for (; place > first && stack_entry[place - 1] < lane_entry[lane]; --place) {
           stack_item[place] = stack_item[place - 1];

@@ -68,9 +68,11 @@ PathTracer::PathTracer(const Device& device, const Plan& plan, const TriangleMes
 }
 
 ClKernel PathTracer::build(const KernelPlan& kernel, const KernelSource& source) {
-  const auto [place, fresh] = programs_.try_emplace(kernel.file + kernel.options.text());
+  BuildOptions options = kernel.options;
+  if (!device_.info().is_cpu()) options.define("TRAVERSAL_SCALAR", 1);  // a work-item is a lane there, not a vector
+  const auto [place, fresh] = programs_.try_emplace(kernel.file + options.text());
   if (fresh) {
-    place->second = build_program(device_, source(kernel.file), kernel.options);
+    place->second = build_program(device_, source(kernel.file), options);
     build_seconds_ += place->second.seconds;
     all_from_cache_ = all_from_cache_ && place->second.from_cache;
   }

@@ -50,13 +50,24 @@ __kernel void probe_closest(BVH_PARAMS, __global const float* streams, float lim
     out[3] = as_float(triangle[k]);
   }
 }
+
+float3 load3(__global const float* p) { return (float3)(p[0], p[1], p[2]); }
+
+__kernel void probe_offset(BVH_PARAMS, __global const float* samples, float unused, __global float* origins) {
+  __global const float* s = samples + 15 * get_global_id(0);
+  const float3 o = offset_origin(load3(s), load3(s + 3), load3(s + 6), s[12], s[13], load3(s + 9), s[14]);
+  __global float* out = origins + 3 * get_global_id(0);
+  out[0] = o.x, out[1] = o.y, out[2] = o.z;
+}
 )";
 
+static_assert(sizeof(SurfaceSample) == 15 * sizeof(float));
 static_assert(sizeof(RayStream) == 99 * sizeof(float));
 static_assert(sizeof(ClosestHit) == 4 * sizeof(float));
 
-void run(const Device& device, const ClKernel& kernel, const Bvh& bvh, const std::vector<RayStream>& streams,
-         float distance, void* out, std::size_t bytes) {
+template <class Input>
+void run(const Device& device, const ClKernel& kernel, const Bvh& bvh, const std::vector<Input>& streams, float distance,
+         void* out, std::size_t bytes) {
   const auto& cl = opencl();
   const ClBuffer nodes = device.input(bvh.nodes), leaves = device.input(bvh.leaves), rays = device.input(streams);
   const ClBuffer result = device.buffer(bytes);
@@ -91,6 +102,12 @@ std::vector<std::uint32_t> RayProbe::occluded(const std::vector<RayStream>& stre
 
 std::vector<std::uint32_t> RayProbe::occluded_own_origins(const std::vector<RayStream>& streams, float max_distance) {
   return bits("probe_occluded_own", streams, max_distance);
+}
+
+std::vector<vec3> RayProbe::offset_origins(const std::vector<SurfaceSample>& samples) {
+  std::vector<vec3> result(samples.size());
+  run(device_, program_.kernel("probe_offset"), bvh_, samples, 0.0f, result.data(), result.size() * sizeof(vec3));
+  return result;
 }
 
 std::vector<ClosestHit> RayProbe::closest(const std::vector<RayStream>& streams, float limit) {

@@ -23,6 +23,12 @@ struct ClosestHit {
   std::uint32_t triangle = 0;
 };
 
+/// The arguments of offset_origin().
+struct SurfaceSample {
+  vec3 p0, p1, p2, normal;
+  float u = 0, v = 0, side = 1;
+};
+
 /// A mesh on the device, and the traversal's queries as kernels, built with the given options (a variant).
 class RayProbe {
  public:
@@ -34,7 +40,7 @@ class RayProbe {
   std::vector<std::uint32_t> occluded_own_origins(const std::vector<RayStream>& streams, float max_distance);
   /// 32 hits a stream.
   std::vector<ClosestHit> closest(const std::vector<RayStream>& streams, float limit);
-  const Bvh& bvh() const { return bvh_; }
+  std::vector<vec3> offset_origins(const std::vector<SurfaceSample>& samples);
 
  private:
   std::vector<std::uint32_t> bits(const char* kernel, const std::vector<RayStream>& streams, float max_distance);

@@ -264,6 +264,44 @@ TEST(Traverse, NoRayLeaksThroughEdgesOrVertices) {
     }
 }
 
+// Seen from its outside a convex body occludes nothing of itself: every hit of a ray that leaves a face is with that face.
+TEST(Traverse, NoRayMeetsTheSurfaceItLeaves) {
+  for (const float scale : {1e-6f, 1e-3f, 1.0f, 1e3f, 1e6f})
+    for (const vec3& center : {vec3(0, 0, 0), vec3(30, -7, 11)}) {
+      const TriangleMesh mesh = sphere(scale * center, scale, 12);
+      RayProbe probe(mesh);
+      Random random(61);
+      std::vector<SurfaceSample> samples(2000);
+      std::vector<RayStream> streams(samples.size());
+      for (std::size_t i = 0; i < samples.size(); ++i) {
+        SurfaceSample& s = samples[i];
+        const std::size_t triangle = random.below(std::uint32_t(mesh.triangles.size()));
+        s.p0 = corner(mesh, triangle, 0), s.p1 = corner(mesh, triangle, 1), s.p2 = corner(mesh, triangle, 2);
+        s.u = random.uniform();
+        s.v = random.uniform() * (1 - s.u);
+        const dvec3 n = glm::normalize(glm::cross(dvec3(s.p1) - dvec3(s.p0), dvec3(s.p2) - dvec3(s.p0)));
+        s.normal = n;
+        s.side = glm::dot(n, dvec3(s.p0) - dvec3(scale * center)) > 0 ? 1.0f : -1.0f;
+        for (vec3& d : streams[i].direction) {
+          do d = random.direction();
+          while (std::abs(glm::dot(dvec3(d), n)) < 1e-3);
+          if (glm::dot(d, s.normal) * s.side < 0) d = -d;
+        }
+      }
+      const std::vector<vec3> origins = probe.offset_origins(samples);
+      for (std::size_t i = 0; i < origins.size(); ++i) streams[i].origin = origins[i];
+      unsigned hits = 0;
+      for (const std::uint32_t bits : probe.occluded(streams, infinity)) hits += unsigned(__builtin_popcount(bits));
+      EXPECT_EQ(hits, 0u) << "of 64000 rays, scale " << scale << ", centre at " << glm::length(center) << " radii";
+      // The offset stays far below the features: a few roundings of the coordinates.
+      for (std::size_t i = 0; i < origins.size(); ++i) {
+        const SurfaceSample& s = samples[i];
+        const vec3 p = (1 - s.u - s.v) * s.p0 + s.u * s.p1 + s.v * s.p2;
+        ASSERT_LT(glm::length(origins[i] - p), scale * 2e-6f * (1 + 3 * glm::length(center)));
+      }
+    }
+}
+
 TEST(Traverse, NothingMeetsAnEmptyOrDegenerateMesh) {
   TriangleMesh points;
   add_triangle(points, {0, 0, 0}, {0, 0, 0}, {1, 1, 1});
