@@ -114,7 +114,7 @@ TEST(ImageMutants, AreRejected) {
   };
   const Mutation mutations[] = {
       {"rays start 1e-2 off the surface", EffectKind::ao, Sampling::cosine, "primary.cl",
-       "const float gamma7 = 4.172328e-7f;", "const float gamma7 = 1e-2f;"},
+       "9.536743e-7f * extent", "1e-2f * extent"},
       {"flipped normal", EffectKind::ao, Sampling::cosine, "primary.cl", "store3(out->normal, normal);",
        "store3(out->normal, -normal);"},
       {"limit ignored", EffectKind::ao, Sampling::cosine, "occlusion.cl",
