@@ -109,7 +109,7 @@ Device::Device(const DeviceInfo& info) : info_(info) {
   const cl_context_properties properties[] = {CL_CONTEXT_PLATFORM, cl_context_properties(info.platform), 0};
   context_ = ClContext(opencl().clCreateContext(properties, 1, &info_.id, nullptr, nullptr, &code));
   check_opencl(code, "cannot create an OpenCL context");
-  queue_ = ClQueue(opencl().clCreateCommandQueue(context_.get(), info_.id, 0, &code));
+  queue_ = ClQueue(opencl().clCreateCommandQueue(context_.get(), info_.id, CL_QUEUE_PROFILING_ENABLE, &code));
   check_opencl(code, "cannot create an OpenCL queue");
 }
 

@@ -15,6 +15,7 @@ namespace nook {
   X(clCreateProgramWithSource) X(clCreateProgramWithBinary) X(clBuildProgram) X(clGetProgramBuildInfo)           \
   X(clGetProgramInfo) X(clReleaseProgram) X(clCreateKernel) X(clReleaseKernel) X(clSetKernelArg)                 \
   X(clEnqueueNDRangeKernel) X(clEnqueueReadBuffer) X(clEnqueueWriteBuffer) X(clWaitForEvents) X(clReleaseEvent)  \
+  X(clGetEventProfilingInfo)                                                                                     \
   X(clFlush) X(clFinish)
 
 struct OpenClFunctions {

@@ -27,6 +27,16 @@ void set_arg(cl_kernel kernel, cl_uint& index, const ClBuffer& buffer) {
   set_arg(kernel, index, memory);
 }
 
+// What a finished kernel took; 0 where the device keeps no time.
+double seconds_of(const ClEvent& kernel) {
+  cl_ulong start = 0, end = 0;
+  const auto get = opencl().clGetEventProfilingInfo;
+  if (get(kernel.get(), CL_PROFILING_COMMAND_START, sizeof start, &start, nullptr) != CL_SUCCESS ||
+      get(kernel.get(), CL_PROFILING_COMMAND_END, sizeof end, &end, nullptr) != CL_SUCCESS || end < start)
+    return 0;
+  return 1e-9 * double(end - start);
+}
+
 }  // namespace
 
 struct PathTracer::Batch {
@@ -45,6 +55,7 @@ struct PathTracer::Slot {
   std::size_t task_capacity = 0, point_capacity = 0;
   std::vector<ClBuffer> results;
   std::vector<std::vector<TaskResult>> host_results;
+  std::vector<ClEvent> kernels;  // launched and not yet added to the counters
   bool busy = false;
 };
 
@@ -95,11 +106,13 @@ EstimatorParams PathTracer::params_for(const EffectPlan& effect, const Batch& ba
 }
 
 // One work-item a work-group on CPUs: the streams are the vectors there, and PoCL's work-item loops would split them.
-void PathTracer::launch(cl_kernel kernel, std::size_t count) {
+void PathTracer::launch(cl_kernel kernel, std::size_t count, ClEvent* event) {
   const std::size_t local = device_.info().is_cpu() ? 1 : 64;
   const std::size_t global = (count + local - 1) / local * local;
-  check_opencl(opencl().clEnqueueNDRangeKernel(device_.queue(), kernel, 1, nullptr, &global, &local, 0, nullptr, nullptr),
+  cl_event raw = nullptr;
+  check_opencl(opencl().clEnqueueNDRangeKernel(device_.queue(), kernel, 1, nullptr, &global, &local, 0, nullptr, event ? &raw : nullptr),
                "cannot launch a kernel");
+  if (event) *event = ClEvent(raw);
   ++counters_.launches;
 }
 
@@ -131,7 +144,7 @@ void PathTracer::submit(Slot& slot) {
     set_arg(primary_.get(), arg, slot.tasks);
     set_arg(primary_.get(), arg, count);
     set_arg(primary_.get(), arg, points);
-    launch(primary_.get(), count);
+    launch(primary_.get(), count, &slot.kernels.emplace_back());
   }
   slot.host_results.resize(effects_.size());
   for (std::size_t e = 0; e < effects_.size(); ++e) {
@@ -145,7 +158,7 @@ void PathTracer::submit(Slot& slot) {
     set_arg(kernel, arg, points);
     set_arg(kernel, arg, slot.results[e]);
     set_arg(kernel, arg, exponents_);
-    launch(kernel, count);
+    launch(kernel, count, &slot.kernels.emplace_back());
     slot.host_results[e].resize(count);
   }
   check_opencl(opencl().clFlush(device_.queue()), "the device failed");
@@ -175,6 +188,8 @@ void PathTracer::harvest(Slot& slot, std::span<Film> films) {
     }
   }
   if (!batch.points) counters_.camera_rays += batch.tasks.size() * std::uint64_t(batch.samples);
+  for (const ClEvent& kernel : slot.kernels) counters_.device_seconds += seconds_of(kernel);
+  slot.kernels.clear();
   slot.busy = false;
 }
 

@@ -27,6 +27,7 @@ struct RenderCounters {
   std::uint64_t rejected = 0;  ///< estimates that were not finite: kept out of the film
   std::uint64_t launches = 0;
   std::vector<std::uint64_t> effect_rays;  ///< occlusion_rays by effect, in the plan's order
+  double device_seconds = 0;  ///< in kernels, by the device's own clock
 };
 
 /// Samples [first, first + count) of a pixel: of its Plan::samples_per_pixel() camera rays or, with one camera ray a pixel,
@@ -51,6 +52,13 @@ class PathTracer {
   /// Throws Error(device).
   PathTracer(const Device& device, const Plan& plan, const TriangleMesh& mesh, const Bvh& bvh,
              const KernelSource& source = kernel_source);
+
+  /// Goes on with other samples of the same picture: spp camera samples a pixel in the whole render (at least 2 unless it was
+  /// planned with 1), from another seed.
+  void set_samples(std::uint32_t spp, std::uint32_t seed) {
+    plan_.spp = spp;
+    plan_.seed = seed;
+  }
 
   /// Empty films of the plan's window, one per effect.
   std::vector<Film> make_films() const;
@@ -84,7 +92,7 @@ class PathTracer {
 
   ClKernel build(const KernelPlan& kernel, const KernelSource& source);
   EstimatorParams params_for(const EffectPlan& effect, const Batch& batch) const;
-  void launch(cl_kernel kernel, std::size_t count);
+  void launch(cl_kernel kernel, std::size_t count, ClEvent* event = nullptr);
   void submit(Slot& slot);
   void harvest(Slot& slot, std::span<Film> films);
   bool run(const NextBatch& next, std::span<Film> films, const Progress& progress);
