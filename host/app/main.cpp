@@ -32,6 +32,7 @@ int main(int argc, char** argv) {
   nook::add_info_command(app, chosen);
   nook::add_compare_command(app, chosen);
   nook::add_merge_command(app, chosen);
+  nook::add_study_command(app, chosen);
   nook::add_devices_command(app, chosen);
   nook::add_doctor_command(app, chosen);
   try {

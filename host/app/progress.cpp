@@ -36,21 +36,22 @@ void ProgressReporter::update(std::uint64_t samples, std::uint64_t rays) {
   const double left = share > 0 ? seconds * (1 - share) / share : 0;
   const double rate = double(rays) / seconds * 1e-6;
   if (mode_ == ProgressMode::json) {
-    fmt::print(stderr, "{{\"progress\": {:.4f}, \"seconds\": {:.2f}, \"seconds_left\": {:.2f}, \"rays\": {}}}\n", share, seconds, left, rays);
+    fmt::print(stderr, "{{\"progress\": {:.4f}, \"seconds\": {:.2f}, \"seconds_left\": {:.2f}, \"rays\": {}{}}}\n", share, seconds, left, rays,
+               note_.empty() ? "" : fmt::format(", \"note\": \"{}\"", note_));
   } else if (terminal_) {
     constexpr int cells = 30;
     const int filled = std::clamp(int(share * cells), 0, cells);
-    fmt::print(stderr, "\r[{}{}] {:3.0f} %  {:.1f} Mrays/s  {:.0f} s left ", std::string(std::size_t(filled), '#'),
-               std::string(std::size_t(cells - filled), '.'), 100 * share, rate, left);
+    fmt::print(stderr, "\r[{}{}] {:3.0f} %  {:.1f} Mrays/s  {:.0f} s left {} ", std::string(std::size_t(filled), '#'),
+               std::string(std::size_t(cells - filled), '.'), 100 * share, rate, left, note_);
     drawn_ = true;
   } else {
-    fmt::print(stderr, "{:.0f} %  {:.1f} Mrays/s  {:.0f} s left\n", 100 * share, rate, left);
+    fmt::print(stderr, "{:.0f} %  {:.1f} Mrays/s  {:.0f} s left{}{}\n", 100 * share, rate, left, note_.empty() ? "" : "  ", note_);
   }
   std::fflush(stderr);
 }
 
 void ProgressReporter::finish() {
-  if (drawn_) fmt::print(stderr, "\r{:<70}\r", "");
+  if (drawn_) fmt::print(stderr, "\r{:<110}\r", "");
   drawn_ = false;
 }
 

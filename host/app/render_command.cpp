@@ -12,6 +12,7 @@
 #include "app/scene_options.hpp"
 #include "app/ssao_draw.hpp"
 #include "app/ssao_render.hpp"
+#include "app/target_options.hpp"
 #include "base/error.hpp"
 #include "base/libraries.hpp"
 #include "bvh/bvh.hpp"
@@ -36,6 +37,7 @@ struct RenderOptions {
   SceneOptions scene;
   DeviceOptions device;
   CheckpointOptions checkpoints;
+  TargetOptions target;
   fs::path output, stats;
   std::string progress = "auto";
   std::vector<std::string> aovs;
@@ -103,16 +105,17 @@ std::vector<Channel> surface_under_pixels(PathTracer& tracer, const Plan& plan, 
 FilmPart::Texts as_texts(const std::map<std::string, std::string>& metadata) { return {metadata.begin(), metadata.end()}; }
 
 // Runs the session to the end of its share, keeping its part on disk. Whatever ends it early, what is finished stays.
-void run_session(Session& session, const SampleBox& share, CheckpointWriter& writer, ProgressMode mode) {
+void run_session(Session& session, const SampleBox& share, const Session::Schedule& schedule, Deadline deadline, CheckpointWriter& writer, ProgressMode mode) {
   const auto rays = [&] { return session.part().counts.camera_rays + session.part().counts.occlusion_rays; };
   const std::uint64_t held_before = session.samples_held(), rays_before = rays();
   ProgressReporter progress(mode, samples_in(subtract({share}, session.held())));
-  bool finished = false;
+  bool finished = false, out_of_time = false;
   try {
-    finished = session.run(all_of(share), [&] {
+    finished = session.run(schedule, [&] {
       progress.update(session.samples_held() - held_before, rays() - rays_before);
       writer.update(session);
-      return !interrupted();
+      out_of_time = deadline.reached();
+      return !interrupted() && !out_of_time;
     });
   } catch (const Error& e) {
     progress.finish();
@@ -120,7 +123,7 @@ void run_session(Session& session, const SampleBox& share, CheckpointWriter& wri
     throw Error(e.code(), e.what() + writer.what_is_kept(session));
   }
   progress.finish();
-  if (finished) return;
+  if (finished || (out_of_time && !interrupted())) return;
   writer.write(session);
   throw Error(ExitCode::interrupted, "interrupted" + writer.what_is_kept(session));
 }
@@ -153,14 +156,19 @@ int render(const RenderOptions& options) {
     return 0;
   }
   const AovRequest aovs = parse_aovs(options.aovs);
+  options.target.check();
+  const auto start = std::chrono::steady_clock::now();
   const ProgressMode mode = options.quiet ? ProgressMode::none : parse_progress(options.progress);
   if (is_ssao_alone(scene)) {
+    if (options.target.any()) throw Error(ExitCode::usage, "--error, --time: the scene has no effect with samples");
     const fs::path file = options.output.empty() ? fs::path(options.scene.scene).replace_extension(".exr") : options.output;
     check_writable(file);
     return render_ssao(scene, {options.scene.scene, file, options.stats, aovs, options.frames, options.device.threads, options.png, options.quiet});
   }
   const std::optional<Share> shard = options.checkpoints.share();
   CheckpointWriter writer(options.checkpoints.file(options.scene.scene, options.output), options.checkpoints.every);
+  if (options.target.error && !writer.file().empty()) throw Error(ExitCode::usage, "--error: a render to an error is not kept in parts (--checkpoint, --shard)");
+  if (options.target.seconds && shard) throw Error(ExitCode::usage, "--time: a share of a picture (--shard) has a fixed number of samples");
   if (!writer.file().empty()) check_writable(writer.file());
   const fs::path output = shard                   ? writer.file()
                           : options.output.empty() ? fs::path(options.scene.scene).replace_extension(".exr")
@@ -172,7 +180,7 @@ int render(const RenderOptions& options) {
   record.scene_file = options.scene.scene.string();
   const TriangleMesh mesh = load_obj(scene.mesh_file, needed_attributes(scene, aovs.needs_surface()));
   record.seconds.load = watch.lap();
-  record.plan = make_plan(scene, mesh, aovs.needs_surface());
+  record.plan = options.target.plan_for(make_plan(scene, mesh, aovs.needs_surface()));
   record.triangles = mesh.triangles.size();
   const Device device = options.device.open();
   record.device = device.info();
@@ -186,6 +194,11 @@ int render(const RenderOptions& options) {
   record.scene_hash = scene_hash(scene);
   record.mesh_hash = mesh_hash(mesh);
 
+  if (options.target.any() && record.plan.effects.empty()) throw Error(ExitCode::usage, "--error, --time: the scene has no effect with samples");
+  if (options.target.dry_run) {
+    print_forecast(tracer, record.plan, options.target);
+    return 0;
+  }
   if (record.plan.effects.empty()) {
     if (shard) throw Error(ExitCode::usage, "--shard: the scene has no effect with samples to share");
     Image image{record.plan.window.width(), record.plan.window.height(), surface_under_pixels(tracer, record.plan, aovs), {}};
@@ -207,13 +220,29 @@ int render(const RenderOptions& options) {
   watch.lap();
 
   catch_interrupts();
-  run_session(session, session.share(shard.value_or(Share{})), writer, mode);
-  session.part().surface = surface_under_pixels(tracer, record.plan, aovs);
+  const Deadline deadline(start, options.target.seconds);
+  FilmPart& part = session.part();
+  std::optional<AdaptiveRender> adaptive;
+  AdaptiveResult result;
+  if (options.target.error) {
+    adaptive.emplace(tracer, record.plan, options.target.error_target());
+    result = render_to_error(*adaptive, tracer, deadline, mode);
+    part.render_seconds = watch.lap();
+    const RenderCounters& counters = tracer.counters();
+    part.counts = {counters.camera_rays, counters.occlusion_rays, counters.rejected};
+    record.error = ErrorRecord{result.error_asked, options.target.target.confidence, result.error_reached, result.error_worst, result.share_done};
+    record.complete = result.met();
+  } else {
+    const SampleBox share = session.share(shard.value_or(Share{}));
+    run_session(session, share, options.target.seconds ? doublings() : all_of(share), deadline, writer, mode);
+    if (options.target.seconds) record.error = error_of(part.films);
+  }
+  part.surface = surface_under_pixels(tracer, record.plan, aovs);
   watch.lap();
 
-  FilmPart& part = session.part();
   record.counts = part.counts;
   record.launches = tracer.counters().launches;
+  record.device_seconds = tracer.counters().device_seconds;
   record.seconds.render = part.render_seconds;
   record.bytes_uploaded = device.bytes_uploaded();
   record.kernels_built = tracer.programs();
@@ -222,11 +251,11 @@ int render(const RenderOptions& options) {
   writer.write(session);
   Image image;
   if (!shard) {
-    image = make_picture(part);
+    image = adaptive ? adaptive->picture(part, result) : make_picture(part);
     add_ssao(scene, mesh, options, record, image);
   }
   finish(options, output, image, watch, whole, record);
-  return 0;
+  return record.error ? announce_error(*record.error, options.quiet) : 0;
 }
 
 }  // namespace
@@ -237,6 +266,7 @@ void add_render_command(CLI::App& app, Command& chosen) {
   options->scene.add_to(*command);
   options->device.add_to(*command);
   options->checkpoints.add_to(*command);
+  options->target.add_to(*command);
   command->add_option("-o,--output", options->output, "EXR file; default: beside the scene, .exr for .toml. With --shard: the part's file");
   command->add_option("--aov", options->aovs, "More channels: normal,position,depth,variance,samples,alpha")->delimiter(',');
   command->add_option("--progress", options->progress, "auto, plain, json or none (to stderr)")->envname("NOOK_PROGRESS");

@@ -61,6 +61,8 @@ AdaptiveRender::AdaptiveRender(PathTracer& tracer, const Plan& plan, const Error
   background_.resize(order_.size());
 }
 
+AdaptiveRender::~AdaptiveRender() = default;
+
 // Pixels without a hit so far, surrounded by such.
 void AdaptiveRender::finish_background() {
   const int width = plan_.window.width(), height = plan_.window.height();

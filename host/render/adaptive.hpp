@@ -49,6 +49,7 @@ class AdaptiveRender {
 
   /// tracer: made with `plan`, which is plan_for(...)'s; both must outlive this.
   AdaptiveRender(PathTracer& tracer, const Plan& plan, const ErrorTarget& target);
+  ~AdaptiveRender();
 
   /// Called now and then; false stops.
   using Progress = std::function<bool(const AdaptiveProgress&)>;

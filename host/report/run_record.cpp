@@ -77,6 +77,10 @@ std::map<std::string, std::string> RunRecord::metadata() const {
     const std::size_t index = plan.effects.size() + e;
     add_ssao_metadata(m, index == 0 ? "nook/" : fmt::format("nook/effect{}/", index + 1), ssao[e]);
   }
+  if (error) {
+    if (error->asked > 0) m["nook/error_asked"] = fmt::format("{}", error->asked);
+    m["nook/error_reached"] = fmt::format("{:.6g}", error->reached);
+  }
   m["nook/device"] = device.name;
   m["nook/driver"] = device.platform_name + " " + device.driver;
   m["nook/seconds_load"] = fmt::format("{:.4f}", seconds.load);
@@ -115,6 +119,7 @@ void write_stats(const std::filesystem::path& path, const RunRecord& r) {
       {"rays", {{"camera", r.counts.camera_rays}, {"occlusion", r.counts.occlusion_rays}}},
       {"rejected_samples", r.counts.rejected},
       {"launches", r.launches},
+      {"seconds_on_device", r.device_seconds},
       {"seconds",
        {{"load", r.seconds.load},
         {"bvh", r.seconds.bvh},
@@ -122,6 +127,12 @@ void write_stats(const std::filesystem::path& path, const RunRecord& r) {
         {"render", r.seconds.render},
         {"write", r.seconds.write},
         {"total", r.seconds.total}}}};
+  if (r.error)
+    json["error"] = {{"asked", r.error->asked > 0 ? nlohmann::json(r.error->asked) : nlohmann::json()},
+                     {"confidence", r.error->confidence},
+                     {"reached", r.error->reached},
+                     {"worst", r.error->worst},
+                     {"share_done", r.error->share_done}};
   for (std::size_t e = 0; e < r.plan.effects.size(); ++e) {
     json["effects"].push_back(effect_json(r.plan.effects[e]));
     if (e < r.effect_rays.size()) json["effects"].back()["rays"] = r.effect_rays[e];

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,15 @@ struct SsaoRecord {
   double seconds_per_frame = 0;  ///< of the fastest frame
 };
 
+/// What a stop rule was asked for, and what it reached: standard errors of pixels.
+struct ErrorRecord {
+  double asked = 0;       ///< 0: no error was asked for, only a time
+  double confidence = 0;
+  double reached = 0;     ///< root mean square over the pixels that see the mesh
+  double worst = 0;
+  double share_done = 0;  ///< of the pixels
+};
+
 /// What a run did: the EXR's metadata and `--stats`.
 struct RunRecord {
   Plan plan;
@@ -38,6 +48,7 @@ struct RunRecord {
   RunSeconds seconds;
   TraceCounts counts;
   std::uint64_t launches = 0;
+  double device_seconds = 0;  ///< in kernels
   std::uint64_t triangles = 0;
   std::uint64_t bytes_uploaded = 0;
   std::vector<std::uint64_t> effect_rays;  ///< occlusion rays by effect, of this process
@@ -45,6 +56,7 @@ struct RunRecord {
   std::vector<std::string> libraries;   ///< of OpenCL, OpenGL and LLVM, mapped at the end
   bool kernels_from_cache = false;
   bool complete = true;
+  std::optional<ErrorRecord> error;
 
   /// "nook/seed" -> "7", ...
   std::map<std::string, std::string> metadata() const;

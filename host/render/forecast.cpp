@@ -1,0 +1,74 @@
+#include "render/forecast.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace nook {
+namespace {
+
+constexpr std::size_t run_length = 64;  // pixels that are neighbours: rays as coherent as in the whole picture
+constexpr std::uint32_t samples_a_pass = 64;
+// What the rules take beyond the samples that their target needs: stages are an eighth apart, and plans of a pilot are on
+// the safe side.
+constexpr double counts_surplus = 1.06, planned_surplus = 1.12;
+
+std::vector<std::uint32_t> spread_runs(const std::vector<std::uint32_t>& order, std::size_t wanted) {
+  const std::size_t runs = std::max<std::size_t>(1, order.size() / run_length);
+  const std::size_t step = std::max<std::size_t>(1, runs * run_length / std::max<std::size_t>(wanted, 1));
+  std::vector<std::uint32_t> chosen;
+  for (std::size_t run = step / 2; run < runs; run += step)
+    for (std::size_t i = run * run_length; i < std::min(order.size(), (run + 1) * run_length); ++i) chosen.push_back(order[i]);
+  return chosen.empty() ? order : chosen;
+}
+
+}  // namespace
+
+Forecast forecast(PathTracer& tracer, const Plan& plan, const ErrorTarget& target, std::span<const double> errors, double seconds) {
+  using Clock = std::chrono::steady_clock;
+  const auto since = [](Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const Clock::time_point start = Clock::now();
+  const std::vector<std::uint32_t> order = pixels_in_order(plan.window, plan.width);
+  const std::vector<std::uint32_t> pixels = spread_runs(order, std::max<std::size_t>(8192, order.size() / 32));
+  std::vector<Film> films = tracer.make_films();
+  // The first launches load code and fill caches: they count as samples, not as speed.
+  std::uint32_t taken = 16;
+  tracer.accumulate(pixels, {0, taken}, films);
+  const Clock::time_point measured = Clock::now();
+  std::uint32_t timed = 0;
+  do {
+    tracer.accumulate(pixels, {taken, samples_a_pass}, films);
+    taken += samples_a_pass;
+    timed += samples_a_pass;
+  } while (since(start) < seconds && taken + samples_a_pass < plan.spp && taken < 4096);
+
+  Forecast made;
+  made.samples_per_second = double(timed) * double(pixels.size()) / since(measured);
+  for (const double error : errors) {
+    double total = 0;
+    for (const std::uint32_t pixel : pixels) {
+      const std::size_t i = plan.film_index(pixel);
+      double most = 0;
+      for (std::size_t e = 0; e < films.size(); ++e) {
+        const Film& film = films[e];
+        const bool counts = samples_are_counts(plan.effects[e], plan.directions);
+        const std::uint32_t first = counts ? target.min_spp : std::max(target.min_spp, 64u);
+        double n = first;
+        if (film.hits[i] > 0) {
+          // The mean square about the unbiased variance, so that few samples do not promise too much.
+          const double mean = film.value(i), square = mean * mean + film.variance(i) * film.replicates[i];
+          const double needed = samples_needed(mean, square, plan.effects[e].weight_bound, error, target.z());
+          n = counts ? std::max<double>(first, counts_surplus * needed) : first + planned_surplus * needed;
+        }
+        most = std::max(most, std::min(n, double(target.max_spp)));
+      }
+      total += most;
+    }
+    const double spp = total / double(pixels.size());
+    made.rows.push_back({error, spp, spp * double(order.size()) / made.samples_per_second});
+  }
+  made.pilot_seconds = since(start);
+  return made;
+}
+
+}  // namespace nook

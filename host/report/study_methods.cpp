@@ -1,0 +1,267 @@
+#include "report/study_methods.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "render/adaptive.hpp"
+#include "render/path_tracer.hpp"
+#include "scene/names.hpp"
+#include "ssao/ssao.hpp"
+
+namespace nook {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+constexpr std::uint32_t reference_seed = 0x7265666fu;  // far from the runs' seeds, which count up from the study's
+constexpr std::uint32_t reference_scrambles = 16;
+
+std::uint64_t rays(const RenderCounters& c) { return c.camera_rays + c.occlusion_rays; }
+
+Scene studied(const Scene& scene, int width, int height) {
+  Scene made = scene;
+  made.width = width;
+  made.height = height;
+  made.crop.reset();
+  const auto occlusion = std::find_if(made.effects.begin(), made.effects.end(), [](const Effect& e) {
+    return e.kind == EffectKind::ao || e.kind == EffectKind::ro || e.kind == EffectKind::ssao;
+  });
+  if (occlusion == made.effects.end()) throw Error(ExitCode::scene, fmt::format("{}: a study needs a scene of type ao, ro or ssao", scene.file.string()));
+  Effect effect = *occlusion;
+  if (effect.kind == EffectKind::ssao) {
+    effect.kind = EffectKind::ao;
+    effect.sampling = Sampling::cosine;
+    effect.max_distance = effect.ssao.radius > 0 ? DistanceLimit{DistanceLimit::Kind::value, effect.ssao.radius} : DistanceLimit{};
+  }
+  effect.name.clear();
+  made.effects = {effect};
+  made.realtime = false;
+  made.directions = 1;
+  made.spp = 2;
+  return made;
+}
+
+}  // namespace
+
+// Variances of one sample, the mean over pixels.
+struct StudyScene::Variances {
+  double mean_square_value = 0;  // mean over pixels of the squared value
+  double value = 0;              // mean over pixels
+  double second_moment = 0;      // AO: mean over pixels of M = E[V cos] under the cosine distribution
+};
+
+StudyScene::StudyScene(const Device& device, const Scene& scene, const TriangleMesh& mesh, const Bvh& bvh, int width, int height)
+    : device_(device), scene_(studied(scene, width, height)), mesh_(mesh), bvh_(bvh), plan_(make_plan(scene_, mesh)) {}
+
+Plan StudyScene::plan_with(Sampling sampling, Sampler sampler, std::uint32_t directions) const {
+  Scene scene = scene_;
+  scene.effects.front().sampling = sampling;
+  scene.sampler = sampler;
+  scene.directions = directions;
+  return make_plan(scene, mesh_);
+}
+
+StudyMethod StudyScene::path_traced(Sampling sampling, Sampler sampler, std::uint32_t directions, std::uint32_t max_spp) const {
+  StudyMethod method;
+  method.sampling = name_of(sampling);
+  method.sampler = name_of(sampler);
+  method.directions = directions;
+  method.name = method.sampling + " " + method.sampler + (directions > 1 ? fmt::format(" x{}", directions) : "");
+  for (std::uint32_t spp = 1; spp <= max_spp && spp * directions <= std::max(1024u, max_spp); spp *= 2) method.levels.push_back(spp);
+  const Plan plan = plan_with(sampling, sampler, directions);
+  const auto tracer = std::make_shared<PathTracer>(device_, plan, mesh_, bvh_);
+  const auto order = std::make_shared<std::vector<std::uint32_t>>(pixels_in_order(plan.window, plan.width));
+  std::vector<Film> warm = tracer->make_films();  // the first launch loads the program's code
+  tracer->accumulate(std::span(*order).first(1), {0, 1}, warm);
+  method.render = [tracer, order](double level, std::uint32_t seed) {
+    const auto spp = std::uint32_t(level);
+    const RenderCounters before = tracer->counters();
+    const Clock::time_point start = Clock::now();
+    std::vector<Film> films = tracer->make_films();
+    tracer->set_samples(spp, seed);
+    tracer->accumulate(*order, {0, spp}, films);
+    const Film& film = films.front();
+    StudyPicture picture;
+    picture.image.resize(film.pixels());
+    for (std::size_t i = 0; i < film.pixels(); ++i) picture.image[i] = float(film.value(i));
+    picture.wall_seconds = seconds_since(start);
+    picture.device_seconds = tracer->counters().device_seconds - before.device_seconds;
+    picture.rays = rays(tracer->counters()) - rays(before);
+    if (spp > 1) {
+      picture.variance.resize(film.pixels());
+      for (std::size_t i = 0; i < film.pixels(); ++i) picture.variance[i] = float(film.variance(i));
+    }
+    return picture;
+  };
+  return method;
+}
+
+StudyMethod StudyScene::adaptive() const {
+  StudyMethod method;
+  const Effect& effect = plan_.effects.front().effect;
+  const Sampling sampling = effect.kind == EffectKind::ro ? Sampling::lobe : Sampling::cosine;
+  method.name = "adaptive";
+  method.family = StudyMethod::Family::adaptive;
+  method.sampling = name_of(sampling);
+  method.sampler = name_of(Sampler::independent);
+  method.levels = {.1, .05, .02, .01};
+  const auto plan = std::make_shared<Plan>(AdaptiveRender::plan_for(plan_with(sampling, Sampler::independent, 1), ErrorTarget{}));
+  const auto tracer = std::make_shared<PathTracer>(device_, *plan, mesh_, bvh_);
+  method.render = [tracer, plan](double level, std::uint32_t seed) {
+    const RenderCounters before = tracer->counters();
+    const Clock::time_point start = Clock::now();
+    tracer->set_samples(plan->spp, seed);
+    AdaptiveResult result = AdaptiveRender(*tracer, *plan, {.error = level}).run();
+    StudyPicture picture;
+    picture.wall_seconds = seconds_since(start);
+    picture.device_seconds = tracer->counters().device_seconds - before.device_seconds;
+    picture.rays = rays(tracer->counters()) - rays(before);
+    picture.image = std::move(result.effects.front().value);
+    picture.variance = std::move(result.effects.front().variance);
+    picture.samples = std::move(result.effects.front().samples);
+    return picture;
+  };
+  return method;
+}
+
+StudyMethod StudyScene::screen_space(SsaoSettings::Method kind, std::optional<SsaoSettings::Quality> quality) const {
+  StudyMethod method;
+  method.name = fmt::format("ssao {}{}", name_of(kind), quality ? fmt::format(" {}", name_of(*quality)) : "");
+  method.family = StudyMethod::Family::ssao;
+  method.random = false;
+  method.levels = {4, 8, 16, 32};
+  if (quality) method.levels = {32};
+  SsaoSettings settings;
+  settings.method = kind;
+  settings.quality = quality;
+  settings.radius = plan_.effects.front().max_distance;
+  const auto renderer = std::make_shared<SsaoRenderer>(mesh_);
+  renderer->render(scene_.camera, settings, scene_.width, scene_.height);  // compiles the shaders
+  method.render = [renderer, settings, scene = scene_](double level, std::uint32_t) {
+    SsaoSettings now = settings;
+    now.samples = int(level);
+    const Clock::time_point start = Clock::now();
+    SsaoFrame frame = renderer->render(scene.camera, now, scene.width, scene.height);
+    StudyPicture picture;
+    picture.wall_seconds = seconds_since(start);
+    picture.image = std::move(frame.occlusion);
+    return picture;
+  };
+  return method;
+}
+
+// From a run of hemisphere samples, whose second moment is 2M (kernels/ambient.cl), with random numbers of its own.
+StudyScene::Variances StudyScene::variances() const {
+  constexpr std::uint32_t spp = 256;
+  Plan plan = plan_with(Sampling::hemisphere, Sampler::independent, 1);
+  plan.spp = spp;
+  plan.seed = reference_seed + 1000;
+  PathTracer tracer(device_, plan, mesh_, bvh_);
+  std::vector<Film> films = tracer.make_films();
+  tracer.accumulate(pixels_in_order(plan.window, plan.width), {0, spp}, films);
+  const Film& film = films.front();
+  Variances v;
+  for (std::size_t i = 0; i < film.pixels(); ++i) {
+    const double mean = film.value(i);
+    v.value += mean / double(film.pixels());
+    v.mean_square_value += (mean * mean - film.variance(i)) / double(film.pixels());
+    v.second_moment += 0.5 * double(film.sum_square[i]) / (double(film.square_scale) * spp) / double(film.pixels());
+  }
+  return v;
+}
+
+std::vector<StudyMethod> StudyScene::methods(const StudyChoice& choice) const {
+  const EffectPlan& effect = plan_.effects.front();
+  const bool ro = effect.effect.kind == EffectKind::ro;
+  const std::vector<Sampling> all_samplings =
+      ro ? std::vector{Sampling::lobe, Sampling::mixture, Sampling::cosine} : std::vector{Sampling::cosine, Sampling::hemisphere, Sampling::sphere};
+  const std::vector<Sampler> all_samplers = {Sampler::independent, Sampler::stratified, Sampler::halton, Sampler::sobol, Sampler::zorder};
+  const bool chosen = !choice.samplings.empty() || !choice.samplers.empty();
+  std::vector<StudyMethod> methods;
+  for (const Sampling sampling : choice.samplings.empty() ? all_samplings : choice.samplings)
+    for (const Sampler sampler : choice.samplers.empty() ? all_samplers : choice.samplers) {
+      // By default every sampler with the best distribution, and every distribution with two samplers.
+      if (!chosen && sampling != all_samplings.front() && sampler != Sampler::independent && sampler != Sampler::sobol) continue;
+      methods.push_back(path_traced(sampling, sampler, 1, choice.max_spp));
+    }
+  if (!chosen) methods.push_back(path_traced(all_samplings.front(), Sampler::sobol, 16, choice.max_spp));
+  if (!ro) {
+    const Variances v = variances();
+    for (StudyMethod& method : methods) {
+      const double moment = method.sampling == "cosine" ? v.value : (method.sampling == "hemisphere" ? 2 : 4) * v.second_moment;
+      if (method.sampler == "independent" && method.directions == 1) method.predicted_variance = moment - v.mean_square_value;
+    }
+  }
+  if (choice.adaptive) methods.push_back(adaptive());
+  if (choice.ssao && !ro && std::isfinite(effect.max_distance) && !scene_.automatic_camera) {
+    using Quality = SsaoSettings::Quality;
+    try {
+      for (const auto kind : {SsaoSettings::Method::point, SsaoSettings::Method::gtao, SsaoSettings::Method::march}) methods.push_back(screen_space(kind, std::nullopt));
+      for (const auto quality : {Quality::draft, Quality::real_time, Quality::accurate}) methods.push_back(screen_space(SsaoSettings::Method::march, quality));
+    } catch (const Error& e) {
+      if (e.code() != ExitCode::device) throw;
+      fmt::print(stderr, "warning: the study goes without SSAO: {}\n", e.what());
+    }
+  }
+  return methods;
+}
+
+StudyReference StudyScene::reference(double seconds) const {
+  const Clock::time_point start = Clock::now();
+  const Sampling sampling = plan_.effects.front().effect.kind == EffectKind::ro ? Sampling::lobe : Sampling::cosine;
+  const Plan plan = plan_with(sampling, Sampler::halton, 1);
+  PathTracer tracer(device_, plan, mesh_, bvh_);
+  const std::vector<std::uint32_t> order = pixels_in_order(plan.window, plan.width);
+  std::vector<std::vector<Film>> scrambles;
+  for (std::uint32_t r = 0; r < reference_scrambles; ++r) scrambles.push_back(tracer.make_films());
+  std::uint32_t taken = 0, next = 16;
+  do {
+    for (std::uint32_t r = 0; r < reference_scrambles; ++r) {
+      tracer.set_samples(2, reference_seed + r);
+      tracer.accumulate(order, {taken, next - taken}, scrambles[r]);
+    }
+    taken = next;
+    next *= 2;
+  } while (seconds_since(start) < 0.5 * seconds && next <= 1u << 16);  // the next doubling takes as long as all before
+
+  StudyReference made;
+  made.spp = std::uint64_t(taken) * reference_scrambles;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    double sum = 0, square = 0;
+    for (const auto& films : scrambles) sum += films.front().value(i);
+    const double mean = sum / reference_scrambles;
+    for (const auto& films : scrambles) square += std::pow(films.front().value(i) - mean, 2);
+    made.image.push_back(float(mean));
+    made.variance.push_back(float(square / (reference_scrambles - 1) / reference_scrambles));
+  }
+  made.seconds = seconds_since(start);
+  made.description = fmt::format("{} {}, {} scrambles of {} samples, seeds {}-{}", name_of(sampling), name_of(Sampler::halton), reference_scrambles,
+                                 taken, reference_seed, reference_seed + reference_scrambles - 1);
+  return made;
+}
+
+double StudyScene::samples_per_second() const {
+  const Sampling sampling = plan_.effects.front().effect.kind == EffectKind::ro ? Sampling::lobe : Sampling::cosine;
+  const StudyMethod method = path_traced(sampling, Sampler::sobol, 1, 16);
+  method.render(16, 1);
+  const StudyPicture picture = method.render(16, 2);
+  return 16.0 * scene_.width * scene_.height / picture.wall_seconds;
+}
+
+double samples_per_pixel(const std::vector<StudyMethod>& methods) {
+  double sum = 0;
+  for (const StudyMethod& method : methods)
+    for (const double level : method.levels) {
+      const double runs = runs_wanted(method, level);
+      if (method.family == StudyMethod::Family::fixed) sum += runs * level * std::sqrt(double(method.directions));
+      if (method.family == StudyMethod::Family::adaptive) sum += runs * std::max(16.0, 0.18 / (level * level));
+    }
+  return sum;
+}
+
+}  // namespace nook
