@@ -18,7 +18,7 @@ function drawCurves() {
   const {label, get, fit} = axes[axis];
   const curves = methods.filter(m => !hidden.has(m.name)).map(m => ({
     name: m.name, colour: m.colour, dash: m.family === 'adaptive' ? '7 5' : m.family === 'ssao' ? '2 4' : null,
-    points: m.points.map(p => ({x: get(p), y: p.rmse, low: p.rmse_low, high: p.rmse_high,
+    points: m.points.map(p => ({x: get(p), y: p.rmse, low: p.runs > 2 ? p.rmse_low : 0, high: p.rmse_high,
       tip: `${m.family === 'adaptive' ? 'error asked' : m.family === 'ssao' ? 'samples' : 'spp'} ${short(p.level)}\nRMSE ${short(p.rmse, 4)}  [${short(p.rmse_low)}, ${short(p.rmse_high)}]\n` +
            `${short(p.wall_seconds)} s, in kernels ${short(p.device_seconds)} s\n${short(p.rays)} rays, ${p.runs} runs\nbias ${short(p.bias, 2)}`})),
   }));
@@ -58,7 +58,7 @@ table(document.getElementById('fact-table'), ['', ''], [...study.facts.map(f => 
 
 // The one sentence: what the best method saves at the smallest error that it and the plainest methods reach.
 for (let i = methods[0].seconds_to.length - 1; i >= 0; --i) {
-  const fixed = methods.filter(m => m.family !== 'ssao' && m.seconds_to[i].seconds !== null);
+  const fixed = methods.filter(m => m.family === 'fixed' && m.seconds_to[i].seconds !== null);
   if (fixed.length < 2) continue;
   fixed.sort((a, b) => a.seconds_to[i].seconds - b.seconds_to[i].seconds);
   const best = fixed[0], worst = fixed[fixed.length - 1], ratio = worst.seconds_to[i].seconds / best.seconds_to[i].seconds;

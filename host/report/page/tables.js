@@ -22,7 +22,7 @@ function costTable(target, methods) {
   const reached = errors.map((_, i) => methods.filter(m => m.seconds_to[i].seconds !== null).length);
   const key = reached.lastIndexOf(Math.max(...reached));
   const cost = (m, i) => m.seconds_to[i].seconds ?? Infinity;
-  const sorted = [...methods].sort((a, b) => cost(a, key) - cost(b, key) || cost(a, 0) - cost(b, 0));
+  const sorted = methods.filter(m => m.seconds_to.some(c => c.seconds !== null)).sort((a, b) => cost(a, key) - cost(b, key) || cost(a, 0) - cost(b, 0));
   const least = errors.map((_, i) => Math.min(...methods.map(m => cost(m, i))));
   table(target, ['method', ...errors.map(e => 'RMSE ' + e)], sorted.map(m => [named(m), ...m.seconds_to.map((c, i) => {
     if (c.seconds === null) return '–';
