@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Draws a study as one chart: error against seconds, a line per method.
 
-study_chart.py STUDY.json CHART.png
+study_chart.py STUDY.json CHART.png   (docs/images/what_accuracy_costs.png is that of studies/cbox_ao_cosine)
 """
 import json
 import sys
