@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 
 #include "base/error.hpp"
@@ -55,6 +56,7 @@ std::optional<Share> CheckpointOptions::share() const {
 }
 
 std::filesystem::path CheckpointOptions::file(const std::filesystem::path& scene, const std::filesystem::path& output) const {
+  if (std::isnan(every)) throw Error(ExitCode::usage, "--every: 'nan' is not a number of seconds");
   const std::optional<Share> part = share();
   std::filesystem::path file = checkpoint;
   if (part) {

@@ -23,7 +23,7 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is then an error of write(), like a full disk
   CLI::App app("nook: ambient occlusion, reflection occlusion and screen-space ambient occlusion");
   app.set_version_flag("--version", "nook " + std::string(nook::version));
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   app.footer("Exit codes: 0 ok, 1 defect, 2 usage, 3 scene, 4 device, 5 target missed, 6 output, 130 interrupted.");
   nook::Command chosen;
   nook::add_render_command(app, chosen);
@@ -37,6 +37,7 @@ int main(int argc, char** argv) {
   nook::add_doctor_command(app, chosen);
   try {
     app.parse(argc, argv);
+    if (!chosen) return report("no command was given; nook --help lists them", ExitCode::usage);
     const int code = chosen();
     return std::fflush(stdout) == 0 ? code : report("stdout: cannot write", ExitCode::output);
   } catch (const CLI::Success& e) {

@@ -15,6 +15,7 @@
 #include "app/target_options.hpp"
 #include "base/error.hpp"
 #include "base/libraries.hpp"
+#include "base/memory.hpp"
 #include "bvh/bvh.hpp"
 #include "film/checkpoint.hpp"
 #include "film/exr.hpp"
@@ -65,6 +66,16 @@ void check_writable(const fs::path& file) {
   if (!fs::is_directory(folder, code)) throw Error(ExitCode::output, fmt::format("{}: the folder {} does not exist", file.string(), folder.string()));
   if (fs::is_directory(file, code)) throw Error(ExitCode::output, fmt::format("{}: is a folder", file.string()));
   if (access(folder.c_str(), W_OK) != 0) throw Error(ExitCode::output, fmt::format("{}: the folder {} is not writable", file.string(), folder.string()));
+}
+
+// A film has 28 bytes a pixel and effect; render order, pixel list and positions 4 each; the picture 4 a channel, held twice when it is
+// written, and up to three channels an effect or AOV.
+void check_memory(const Scene& scene, std::size_t aovs) {
+  const PixelRect window = scene.crop.value_or(PixelRect{0, 0, scene.width, scene.height});
+  const std::uint64_t pixels = std::uint64_t(window.width()) * std::uint64_t(window.height());
+  const std::uint64_t bytes_a_pixel = 28 * scene.effects.size() + 12 + 2 * 4 * 3 * (scene.effects.size() + aovs);
+  nook::check_memory(pixels * bytes_a_pixel, fmt::format("a picture of {}x{} pixels", window.width(), window.height()),
+                     "render it in pieces with --crop");
 }
 
 std::string distance_text(const EffectPlan& effect) {
@@ -158,7 +169,10 @@ int render(const RenderOptions& options) {
   const AovRequest aovs = parse_aovs(options.aovs);
   options.target.check();
   const auto start = std::chrono::steady_clock::now();
-  const ProgressMode mode = options.quiet ? ProgressMode::none : parse_progress(options.progress);
+  const ProgressMode asked = parse_progress(options.progress);
+  const ProgressMode mode = options.quiet ? ProgressMode::none : asked;
+  if (!options.stats.empty()) check_writable(options.stats);
+  check_memory(scene, options.aovs.size());
   if (is_ssao_alone(scene)) {
     if (options.target.any()) throw Error(ExitCode::usage, "--error, --time: the scene has no effect with samples");
     const fs::path file = options.output.empty() ? fs::path(options.scene.scene).replace_extension(".exr") : options.output;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "base/error.hpp"
 #include "render/plan.hpp"
@@ -73,6 +74,7 @@ void SceneOptions::add_to(CLI::App& command) {
 
 Scene SceneOptions::load() const {
   Scene loaded = scene.extension() == ".obj" || scene.extension() == ".OBJ" ? scene_of_mesh(scene) : load_scene(scene);
+  if (exponent && std::isnan(*exponent)) throw Error(ExitCode::usage, "--exponent: 'nan' is not a number from 0 to 1e7");
   if (spp) loaded.spp = *spp;
   if (directions) loaded.directions = *directions;
   if (seed) loaded.seed = *seed;

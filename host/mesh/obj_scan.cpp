@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstring>
 
@@ -38,8 +39,15 @@ std::string_view next_word(std::string_view& line) {
 
 // True if a word of the line is nan or inf; throws if one is no number at all.
 bool has_non_finite(std::string_view values, const std::string& name, std::size_t number) {
-  bool letters = false;
-  for (char c : values) letters |= (c >= 'A' && c != 'e' && c != 'E');
+  bool letters = false, in_word = false;
+  unsigned numbers = 0;
+  for (char c : values) {
+    if (c == '#') break;
+    letters |= (c >= 'A' && c != 'e' && c != 'E');
+    numbers += !in_word && !is_blank(c);
+    in_word = !is_blank(c);
+  }
+  if (numbers < 3) throw Error(ExitCode::scene, fmt::format("{}:{}: {} numbers, expected 3", name, number, numbers));
   if (!letters) return false;
   bool non_finite = false;
   for (std::string_view word = next_word(values); !word.empty() && word[0] != '#'; word = next_word(values)) {
@@ -76,12 +84,25 @@ std::string check_corner(std::string_view word, const Counts& counts) {
   return "";
 }
 
+// tinyobjloader reads an index beyond 32 bits as another.
+void check_digits(std::string_view face, const std::string& name, std::size_t number) {
+  std::size_t digits = 0;
+  for (std::size_t i = 0; i < face.size() && face[i] != '#'; ++i) {
+    digits = face[i] >= '0' && face[i] <= '9' ? digits + 1 : 0;
+    if (digits < 10) continue;
+    const std::string_view rest = face.substr(i + 1 - digits);
+    const std::size_t end = std::min<std::size_t>(rest.find_first_not_of("0123456789"), 40);
+    throw Error(ExitCode::scene, fmt::format("{}:{}: face index {} is out of range", name, number, rest.substr(0, end)));
+  }
+}
+
 }  // namespace
 
 ObjScan scan_obj(std::string_view text, const std::string& name) {
   ObjScan scan;
   std::uint32_t positions = 0, normals = 0;
   for_each_line(text, [&](std::string_view line, std::size_t number) {
+    if (line.size() > 1 && line[0] == 'f' && is_blank(line[1])) check_digits(line.substr(1), name, number);
     if (line.size() < 2 || line[0] != 'v') return;
     if (is_blank(line[1])) {
       if (has_non_finite(line.substr(1), name, number)) scan.non_finite_positions.push_back(positions);

@@ -93,7 +93,9 @@ Scene load_scene(const std::filesystem::path& path) {
   Scene scene;
   scene.file = path;
   if (!input.has("objfile")) input.missing("objfile");
-  scene.mesh_file = path.parent_path() / input.text("objfile", "");
+  const std::string objfile = input.text("objfile", "");
+  if (objfile.empty()) input.wrong(*input.find("objfile"), "objfile", "the name of a mesh");
+  scene.mesh_file = path.parent_path() / objfile;
   scene.camera.fov = float(camera.number("fov", scene.camera.fov, 0, 180, "an angle above 0 and below 180 degrees", true));
   scene.camera.eye = camera.point("eye", scene.camera.eye);
   scene.camera.at = camera.point("at", scene.camera.at);

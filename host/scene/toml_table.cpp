@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
@@ -9,7 +10,10 @@
 namespace nook {
 
 void fail_at(const std::string& file, const toml::source_region& where, const std::string& message) {
-  throw Error(ExitCode::scene, fmt::format("{}:{}:{}: {}", file, where.begin.line, where.begin.column, message));
+  // Messages quote the file's words, which may hold line breaks, or be long.
+  std::string line = message.substr(0, 400);
+  std::replace_if(line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
+  throw Error(ExitCode::scene, fmt::format("{}:{}:{}: {}", file, where.begin.line, where.begin.column, line));
 }
 
 bool TomlTable::boolean(std::string_view key, bool value) {
@@ -23,7 +27,9 @@ double TomlTable::number(std::string_view key, double value, double lo, double h
   const toml::node* node = find(key);
   if (!node) return value;
   const auto found = node->is_number() ? node->value<double>() : std::nullopt;
-  if (!found || !std::isfinite(*found) || *found < lo || *found > hi || (open && (*found == lo || *found == hi)))
+  // As a float, which is what it becomes: 179.9999999 is 180 then.
+  const double rounded = found ? double(float(*found)) : 0;
+  if (!found || !std::isfinite(rounded) || *found < lo || *found > hi || (open && (rounded <= lo || rounded >= hi)))
     wrong(*node, key, what);
   return *found;
 }

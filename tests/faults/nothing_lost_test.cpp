@@ -1,0 +1,201 @@
+// Interrupted, killed, split and joined: always the bits of one undisturbed run.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <memory>
+#include <random>
+#include <thread>
+
+#include "bad_input_rows.hpp"
+#include "film/checkpoint.hpp"
+#include "film/exr.hpp"
+#include "small_scene.hpp"
+#include "support/program.hpp"
+
+namespace nook::test {
+namespace {
+
+class NothingLost : public testing::Test {
+ protected:
+  NothingLost() { write_small_scene(folder.path()); }
+
+  ProgramSetting setting(const std::string& command) const {
+    ProgramSetting made;
+    made.arguments = words(command + " --quiet");
+    made.folder = folder.path();
+    return made;
+  }
+  ProgramResult run(const std::string& command) const { return run_program(NOOK_PROGRAM, setting(command)); }
+  void succeed(const std::string& command) const {
+    const ProgramResult result = run(command);
+    ASSERT_EQ(result.code, 0) << command << ": " << result.err;
+  }
+  /// Waits until the program has written the file (anew). False: it ended first.
+  static bool writes(RunningProgram& program, const std::filesystem::path& file) {
+    std::error_code code;
+    const auto before = std::filesystem::last_write_time(file, code);
+    while (!program.ended_within(0.005)) {
+      const auto now = std::filesystem::last_write_time(file, code);
+      if (!code && now != before) return true;
+    }
+    return false;
+  }
+  /// Every channel to the bit, and all metadata but times and what names the file.
+  void expect_same_picture(const std::string& a, const std::string& b) const {
+    const Image x = read_exr(folder / a), y = read_exr(folder / b);
+    ASSERT_EQ(x.channels.size(), y.channels.size());
+    for (const Channel& channel : x.channels) {
+      const Channel* other = y.find(channel.name);
+      ASSERT_TRUE(other) << channel.name;
+      EXPECT_TRUE(channel.values == other->values) << channel.name << " differs between " << a << " and " << b;
+    }
+    for (const auto& [name, value] : x.metadata)
+      if (!name.starts_with("nook/seconds")) EXPECT_EQ(y.metadata.at(name), value) << name;
+  }
+
+  TemporaryFolder folder;
+};
+
+const std::string all_aovs = " --aov normal,position,depth,variance,samples,alpha --size 64x48 --spp 96 --directions 8";
+
+// 96 samples in shards of thirds; a shard of shards; tiles; every order.
+TEST_F(NothingLost, ShardsJoinInAnyOrderAndGrouping) {
+  succeed("render scene.toml --no-png -o one.exr" + all_aovs);
+  for (const char* shard : {"1/3", "2/3", "3/3"}) succeed(std::string("render scene.toml -o p") + shard[0] + ".nook --shard " + shard + all_aovs);
+  succeed("merge p3.nook p1.nook p2.nook -o flat.exr");
+  expect_same_picture("one.exr", "flat.exr");
+  succeed("merge p3.nook p1.nook -o p13.nook");
+  succeed("merge p2.nook p13.nook -o grouped.exr");
+  expect_same_picture("one.exr", "grouped.exr");
+}
+
+TEST_F(NothingLost, ShardsOfPixelsWhereSamplesAreFew) {
+  const std::string options = " --size 64x48 --spp 2 --directions 3 --aov variance,samples";
+  succeed("render scene.toml --no-png -o one.exr" + options);
+  std::string parts;
+  for (int i = 1; i <= 5; ++i) {
+    succeed("render scene.toml -o p" + std::to_string(i) + ".nook --shard " + std::to_string(i) + "/5" + options);
+    parts = " p" + std::to_string(i) + ".nook" + parts;
+  }
+  succeed("merge" + parts + " -o merged.exr");
+  expect_same_picture("one.exr", "merged.exr");
+}
+
+// One camera ray a pixel: the samples are its directions.
+TEST_F(NothingLost, ShardsOfDirections) {
+  const std::string options = " --size 32x24 --spp 1 --directions 10000 --aov variance,samples,alpha";
+  succeed("render scene.toml --no-png -o one.exr" + options);
+  for (const char* shard : {"1/3", "2/3", "3/3"}) succeed(std::string("render scene.toml -o p") + shard[0] + ".nook --shard " + shard + options);
+  succeed("merge p2.nook p3.nook p1.nook -o merged.exr");
+  expect_same_picture("one.exr", "merged.exr");
+}
+
+TEST_F(NothingLost, SlurmArrayTasksAreShards) {
+  succeed("render scene.toml --no-png -o one.exr --spp 8");
+  for (const char* id : {"10", "12", "14"}) {
+    ProgramSetting task = setting(std::string("render scene.toml --spp 8 --shard slurm -o t") + id + ".nook");
+    task.environment = {{"SLURM_ARRAY_TASK_ID", id}, {"SLURM_ARRAY_TASK_COUNT", "3"}, {"SLURM_ARRAY_TASK_MIN", "10"}, {"SLURM_ARRAY_TASK_STEP", "2"}};
+    const ProgramResult result = run_program(NOOK_PROGRAM, task);
+    ASSERT_EQ(result.code, 0) << result.err;
+  }
+  succeed("merge t10.nook t12.nook t14.nook -o merged.exr");
+  expect_same_picture("one.exr", "merged.exr");
+}
+
+TEST_F(NothingLost, StatusSaysWhatIsMissing) {
+  succeed("render scene.toml --shard 1/4 -o a.nook");
+  succeed("render scene.toml --shard 3/4 -o b.nook");
+  const ProgramResult status = run("merge a.nook b.nook --status");
+  EXPECT_EQ(status.code, 5);
+  EXPECT_NE(status.out.find("a.nook: 25.00 %: samples 0-0 of 48 pixels"), std::string::npos) << status.out;
+  EXPECT_NE(status.out.find("missing: 50.00 %: samples 1-1 of 48 pixels, samples 3-3 of 48 pixels"), std::string::npos) << status.out;
+  succeed("merge a.nook b.nook --partial -o partial.exr");
+}
+
+// About a second of work on two cores.
+const std::string long_render = "render scene.toml --no-png --size 128x96 --spp 256 --directions 8 --aov normal,variance";
+
+TEST_F(NothingLost, SignalsFlushAndResumeGivesTheSameBits) {
+  succeed(long_render + " -o one.exr");
+  const std::string resumed = long_render + " --checkpoint c.nook --every 0 --resume -o resumed.exr";
+  for (const int signal : {SIGINT, SIGTERM}) {
+    RunningProgram program(NOOK_PROGRAM, setting(resumed));
+    ASSERT_TRUE(writes(program, folder / "c.nook")) << "too quick to be interrupted";
+    program.send(signal);
+    const ProgramResult result = program.wait();
+    ASSERT_EQ(result.code, 130) << result.err;
+    EXPECT_NE(result.err.find("interrupted; c.nook holds"), std::string::npos) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "resumed.exr"));
+  }
+  succeed(resumed);
+  expect_same_picture("one.exr", "resumed.exr");
+}
+
+// Parts that are killed at random moments, and started again until they are done, by processes that run at once.
+TEST_F(NothingLost, KillsAtRandomMoments) {
+  const char* asked = std::getenv("NOOK_KILLS");
+  const int kills = asked ? std::atoi(asked) : 10;
+  succeed(long_render + " -o one.exr");
+  const auto part = [&](int i) {
+    return long_render + " --shard " + std::to_string(i) + "/2 -o k" + std::to_string(i) + ".nook --every 0 --resume";
+  };
+  std::minstd_rand random(7);
+  std::unique_ptr<RunningProgram> running[2];
+  for (int killed = 0; killed < kills; ++killed) {
+    const int i = killed % 2;
+    if (!running[i] || running[i]->ended_within(0)) {
+      // One that is done starts over from nothing, so that every kill meets work.
+      if (running[i]) ASSERT_EQ(running[i]->wait().code, 0);
+      if (running[i]) std::filesystem::remove(folder / ("k" + std::to_string(i + 1) + ".nook"));
+    }
+    running[i] = std::make_unique<RunningProgram>(NOOK_PROGRAM, setting(part(i + 1)));
+    std::this_thread::sleep_for(std::chrono::milliseconds(random() % 700));
+    running[i]->send(SIGKILL);
+    running[i]->wait();
+    running[i].reset();
+  }
+  for (int i : {1, 2}) succeed(part(i));
+  succeed("merge k2.nook k1.nook -o merged.exr");
+  expect_same_picture("one.exr", "merged.exr");
+}
+
+TEST_F(NothingLost, LostDeviceKeepsItsCheckpoint) {
+  succeed(long_render + " -o one.exr");
+  const std::string resumed = long_render + " --checkpoint c.nook --resume -o resumed.exr";
+  ProgramSetting failing = setting(resumed);
+  failing.environment = {{"NOOK_OPENCL", NOOK_FAILING_OPENCL}, {"NOOK_FAIL_LAUNCH", "9"}};
+  const ProgramResult result = run_program(NOOK_PROGRAM, failing);
+  EXPECT_EQ(result.code, 4);
+  EXPECT_NE(result.err.find("CL_OUT_OF_RESOURCES; c.nook holds"), std::string::npos) << result.err;
+  EXPECT_GT(samples_in(read_film_part(folder / "c.nook").held), 0u);
+  succeed(resumed);
+  expect_same_picture("one.exr", "resumed.exr");
+}
+
+TEST_F(NothingLost, OutputFolderRemovedWhileRunning) {
+  std::filesystem::create_directory(folder / "out");
+  RunningProgram program(NOOK_PROGRAM, setting(long_render + " --checkpoint c.nook --every 0 -o out/a.exr"));
+  ASSERT_TRUE(writes(program, folder / "c.nook")) << "too quick";
+  std::filesystem::remove(folder / "out");
+  const ProgramResult result = program.wait();
+  EXPECT_EQ(result.code, 6) << result.err;
+  EXPECT_NE(result.err.find("out/a.exr"), std::string::npos) << result.err;
+  // The samples are in the checkpoint.
+  std::filesystem::create_directory(folder / "out");
+  succeed(long_render + " --checkpoint c.nook --resume -o out/a.exr");
+}
+
+TEST_F(NothingLost, NamesWithBlanksUtf8AndLength) {
+  const std::string name = "Gr\xc3\xb6\xc3\x9f" "e \xe2\x88\x9e " + std::string(200, 'n');
+  std::filesystem::rename(folder / "mesh.obj", folder / (name + ".obj"));
+  write_bytes(folder / (name + ".toml"), with(small_scene, "mesh.obj", name + ".obj"));
+  ProgramSetting made = setting("render");
+  made.arguments = {"render", name + ".toml", "--quiet"};
+  const ProgramResult result = run_program(NOOK_PROGRAM, made);
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_TRUE(std::filesystem::exists(folder / (name + ".exr")));
+}
+
+}  // namespace
+}  // namespace nook::test
