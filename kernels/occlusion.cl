@@ -55,6 +55,7 @@ __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* task
       for (uint rest = hits; rest; rest &= rest - 1) {
         const uint j = lowest_bit(rest);
         __global const SurfacePoint* point = points + task.point + first + j;
+        const float3 origin = (float3)(point->origin[0], point->origin[1], point->origin[2]);
         const float exponent = EXPONENT_OF_MATERIAL ? exponent_of(point, exponents) : p.exponent;
         for (uint k = 0; k < count; ++k) {
           const uint ray = j * count + k;
@@ -62,12 +63,13 @@ __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* task
           const float2 square =
               sample_direction(task.pixel, task.first_sample + first + j, task.first_direction + begin + k, &p);
           float w = sample_effect(square, point, exponent, &d);
-          if (!isfinite(w)) {
+          // A NaN normal or origin would pass for an open direction: no comparison with a NaN holds.
+          if (!isfinite(w) || !isfinite(d.x + d.y + d.z) || !isfinite(origin.x + origin.y + origin.z)) {
             ++result.rejected;
             w = 0.0f;
           }
           weight[ray] = w;
-          origins.x[ray] = point->origin[0], origins.y[ray] = point->origin[1], origins.z[ray] = point->origin[2];
+          origins.x[ray] = origin.x, origins.y[ray] = origin.y, origins.z[ray] = origin.z;
           directions.x[ray] = d.x, directions.y[ray] = d.y, directions.z[ray] = d.z;
           if (w > 0.0f) active |= 1u << ray;
         }

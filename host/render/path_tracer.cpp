@@ -60,9 +60,10 @@ struct PathTracer::Slot {
 };
 
 PathTracer::PathTracer(const Device& device, const Plan& plan, const TriangleMesh& mesh, const Bvh& bvh,
-                       const KernelSource& source)
+                       const KernelSource& source, Traversal traversal)
     : device_(device),
       plan_(plan),
+      scalar_traversal_(traversal == Traversal::automatic ? !device.info().is_cpu() : traversal == Traversal::scalar),
       nodes_(device.input(bvh.nodes)),
       leaves_(device.input(bvh.leaves)),
       positions_(device.input(mesh.positions)),
@@ -80,7 +81,7 @@ PathTracer::PathTracer(const Device& device, const Plan& plan, const TriangleMes
 
 ClKernel PathTracer::build(const KernelPlan& kernel, const KernelSource& source) {
   BuildOptions options = kernel.options;
-  if (!device_.info().is_cpu()) options.define("TRAVERSAL_SCALAR", 1);  // a work-item is a lane there, not a vector
+  if (scalar_traversal_) options.define("TRAVERSAL_SCALAR", 1);
   const auto [place, fresh] = programs_.try_emplace(kernel.file + options.text());
   if (fresh) {
     place->second = build_program(device_, source(kernel.file), options);

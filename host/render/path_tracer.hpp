@@ -42,6 +42,9 @@ struct Finished {
   SampleRange range;
 };
 
+/// How rays go through the tree (kernels/traverse.cl): automatic is stream on CPUs, scalar elsewhere. The same bits.
+enum class Traversal { automatic, stream, scalar };
+
 /// One scene on one device: uploaded once, its kernels specialised to the plan.
 class PathTracer {
  public:
@@ -51,7 +54,7 @@ class PathTracer {
   /// `mesh` and `bvh` must outlive it: where device and host share memory they are used in place.
   /// Throws Error(device).
   PathTracer(const Device& device, const Plan& plan, const TriangleMesh& mesh, const Bvh& bvh,
-             const KernelSource& source = kernel_source);
+             const KernelSource& source = kernel_source, Traversal traversal = Traversal::automatic);
 
   /// Goes on with other samples of the same picture: spp camera samples a pixel in the whole render (at least 2 unless it was
   /// planned with 1), from another seed.
@@ -99,6 +102,7 @@ class PathTracer {
 
   const Device& device_;
   Plan plan_;
+  bool scalar_traversal_ = false;
   ClBuffer nodes_, leaves_, positions_, triangles_, normals_, triangle_normals_, triangle_materials_, exponents_;
   std::map<std::string, BuiltProgram> programs_;  // by file and options: effects with the same options share one
   ClKernel primary_;
