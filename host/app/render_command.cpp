@@ -125,7 +125,7 @@ void run_session(Session& session, const SampleBox& share, const Session::Schedu
     finished = session.run(schedule, [&] {
       progress.update(session.samples_held() - held_before, rays() - rays_before);
       writer.update(session);
-      out_of_time = deadline.reached();
+      out_of_time = out_of_time || deadline.reached();  // asked once more, for the launch under way
       return !interrupted() && !out_of_time;
     });
   } catch (const Error& e) {
