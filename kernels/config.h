@@ -67,6 +67,53 @@
 #error "EXPONENT_OF_MATERIAL needs EFFECT_REFLECTION"
 #endif
 
+// How an occluder's distance counts; the order of nook::Falloff. See visibility.cl.
+#define FALLOFF_NONE 0
+#define FALLOFF_LINEAR 1
+#define FALLOFF_SMOOTH 2
+#define FALLOFF_EXPONENTIAL 3
+#ifndef FALLOFF
+#define FALLOFF FALLOFF_NONE
+#endif
+#if FALLOFF < 0 || FALLOFF > 3
+#error "FALLOFF: 0 none, 1 linear, 2 smooth, 3 exponential"
+#endif
+
+// 1: occluders nearer than min_distance do not count.
+#ifndef MIN_DISTANCE
+#define MIN_DISTANCE 0
+#endif
+
+// 1: AO looks into a cone about the normal. See cone.cl.
+#ifndef CONE
+#define CONE 0
+#endif
+#if CONE && (EFFECT != EFFECT_AMBIENT || SAMPLING == SAMPLING_SPHERE)
+#error "CONE needs EFFECT_AMBIENT and SAMPLING cosine or hemisphere"
+#endif
+
+// The side of the surface that occlusion looks to; the order of nook::Side. See side.cl.
+#define SIDE_NORMAL 0
+#define SIDE_INSIDE 1
+#define SIDE_VIEWER 2
+#ifndef SIDE
+#define SIDE SIDE_NORMAL
+#endif
+#if SIDE < 0 || SIDE > 2
+#error "SIDE: 0 normal, 1 inside, 2 viewer"
+#endif
+
+// 1: the weighted directions are summed too, for bent normals; BENT_VIEW: in view space instead of world space.
+#ifndef BENT
+#define BENT 0
+#endif
+#ifndef BENT_VIEW
+#define BENT_VIEW 0
+#endif
+#if BENT && EFFECT != EFFECT_AMBIENT
+#error "BENT needs EFFECT_AMBIENT"
+#endif
+
 // 1: one ray at a time, for GPUs; 0: streams of rays over vectors of boxes and triangles, for CPUs. The same bits.
 #ifndef TRAVERSAL_SCALAR
 #define TRAVERSAL_SCALAR 0

@@ -4,19 +4,19 @@
 #include "shared/task.h"
 #include "shared/task_result.h"
 #include "sampler.cl"
-#include "traverse.cl"
+#include "visibility.cl"
 #include "ambient.cl"
 #include "reflection.cl"
+#include "cone.cl"
+#include "side.cl"
+#include "shared/camera.h"
 
 #define STREAM 32u
 
 // One direction at a surface point; returns its weight w with E[w V] the effect's value, 0 if it needs no ray.
-float sample_effect(float2 u, __global const SurfacePoint* point, float exponent, float3* direction) {
-  float3 normal = (float3)(point->normal[0], point->normal[1], point->normal[2]);
-  if (EFFECT == EFFECT_REFLECTION) {
-    float3 view = (float3)(point->view[0], point->view[1], point->view[2]);
-    return reflection_sample(u, normal, view, exponent, direction);
-  }
+float sample_effect(float2 u, float3 normal, float3 view, float exponent, const EstimatorParams* p, float3* direction) {
+  if (EFFECT == EFFECT_REFLECTION) return reflection_sample(u, normal, view, exponent, direction);
+  if (CONE) return ambient_cone_sample(u, normal, p->cone_sine, p->cone_cosine, direction);
   return ambient_sample(u, normal, direction);
 }
 
@@ -25,15 +25,30 @@ float exponent_of(__global const SurfacePoint* point, __global const float* expo
   return point->material == 0xffffffffu ? -1.0f : exponents[point->material];
 }
 
+// Bent normals: Σ w V ω in fixed point (two's complement), in world space or along the camera's right, up and back axes.
+void add_direction(ulong* sum, float weight, float3 d, const CameraParams* camera) {
+  if (BENT_VIEW) {
+    const float3 right = (float3)(camera->right[0], camera->right[1], camera->right[2]);
+    const float3 up = (float3)(camera->up[0], camera->up[1], camera->up[2]);
+    const float3 forward = (float3)(camera->forward[0], camera->forward[1], camera->forward[2]);
+    d = (float3)(dot(d, right), dot(d, up), -dot(d, forward));
+  }
+  sum[0] += as_ulong(convert_long_rte(weight * d.x));
+  sum[1] += as_ulong(convert_long_rte(weight * d.y));
+  sum[2] += as_ulong(convert_long_rte(weight * d.z));
+}
+
 // Directions [task.first_direction, + p.directions) at each camera sample of each task, summed into results[task]. A stream
 // holds the directions of as many camera samples as fit (32 / directions), or a part of one sample's.
 __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* tasks, uint task_count,
                         __global const SurfacePoint* points, __global TaskResult* results,
-                        __global const float* exponents) {
+                        __global const float* exponents, __global const float* positions,
+                        __global const uint* triangles, CameraParams camera, __global nook_ulong* bent) {
   uint id = get_global_id(0);
   if (id >= task_count) return;
   Task task = tasks[id];
   TaskResult result = {0, 0, 0, 0, 0, 0};
+  ulong bent_sum[3] = {0, 0, 0};
   const uint per_stream = max(1u, STREAM / p.directions);
   for (uint first = 0; first < p.samples; first += per_stream) {
     const uint samples = min(per_stream, p.samples - first);
@@ -55,14 +70,20 @@ __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* task
       for (uint rest = hits; rest; rest &= rest - 1) {
         const uint j = lowest_bit(rest);
         __global const SurfacePoint* point = points + task.point + first + j;
-        const float3 origin = (float3)(point->origin[0], point->origin[1], point->origin[2]);
         const float exponent = EXPONENT_OF_MATERIAL ? exponent_of(point, exponents) : p.exponent;
+        float3 origin = (float3)(point->origin[0], point->origin[1], point->origin[2]);
+        float3 normal = (float3)(point->normal[0], point->normal[1], point->normal[2]);
+        const float3 view = (float3)(point->view[0], point->view[1], point->view[2]);
+        if (SIDE != SIDE_NORMAL && looks_to_the_other_side(normal, view)) {
+          origin = origin_on_other_side(point, positions, triangles, origin, normal);
+          normal = -normal;
+        }
         for (uint k = 0; k < count; ++k) {
           const uint ray = j * count + k;
           float3 d;
           const float2 square =
               sample_direction(task.pixel, task.first_sample + first + j, task.first_direction + begin + k, &p);
-          float w = sample_effect(square, point, exponent, &d);
+          float w = sample_effect(square, normal, view, exponent, &p, &d);
           // A NaN normal or origin would pass for an open direction: no comparison with a NaN holds.
           if (!isfinite(w) || !isfinite(d.x + d.y + d.z) || !isfinite(origin.x + origin.y + origin.z)) {
             ++result.rejected;
@@ -75,11 +96,14 @@ __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* task
         }
       }
       result.rays += popcount(active);
-      uint open = active & ~occluded_rays(BVH_ARGS, &origins, &directions, active, p.max_distance);
+      float visibility[STREAM];
+      uint open = visible_rays(BVH_ARGS, &origins, &directions, active, &p, visibility);
       for (; open; open &= open - 1) {
         const uint ray = lowest_bit(open);
-        of_sample[ray / count] += convert_ulong_rte(weight[ray] * p.sum_scale);
-        if (REPLICATE_DIRECTIONS) result.sum_square += convert_ulong_rte(weight[ray] * weight[ray] * p.square_scale);
+        const float value = FALLOFF == FALLOFF_NONE ? weight[ray] : weight[ray] * visibility[ray];
+        of_sample[ray / count] += convert_ulong_rte(value * p.sum_scale);
+        if (REPLICATE_DIRECTIONS) result.sum_square += convert_ulong_rte(value * value * p.square_scale);
+        if (BENT) add_direction(bent_sum, value * p.sum_scale, ray_direction(&directions, ray), &camera);
       }
     }
     for (uint rest = hits; rest; rest &= rest - 1) {
@@ -91,4 +115,6 @@ __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* task
     }
   }
   results[id] = result;
+  if (BENT)
+    for (uint axis = 0; axis < 3; ++axis) bent[3 * id + axis] = bent_sum[axis];
 }

@@ -8,6 +8,8 @@
 //                     float* t, uint* triangle, float* u, float* v)
 //     t[k]: on entry the limit, on return the distance of the first hit; triangle[k]: NO_TRIANGLE for a miss;
 //     hit = (1-u-v) p0 + u p1 + v p2. Only the entries in `active` are written.
+//   void closest_rays(BVH_PARAMS, const RayDirections* origins, const RayDirections* d, uint active, ...)
+//     the same for rays with an origin each.
 //   bool occluded_ray(BVH_PARAMS, float3 o, float3 d, float max_distance)
 //   bool closest_ray(BVH_PARAMS, float3 o, float3 d, float* t, uint* triangle, float* u, float* v)
 //     one ray: the natural form on a GPU.
@@ -40,18 +42,23 @@ uint occluded_from(BVH_PARAMS, float3 origin, const RayDirections* d, uint activ
   return occluded_rays(BVH_ARGS, &origins, d, active, max_distance);
 }
 
-void closest_from(BVH_PARAMS, float3 origin, const RayDirections* d, uint active, float* t, uint* triangle, float* u,
-                  float* v) {
-  RayDirections origins;
-  share_origin(&origins, origin);
+void closest_rays(BVH_PARAMS, const RayDirections* origins, const RayDirections* d, uint active, float* t, uint* triangle,
+                  float* u, float* v) {
   if (!TRAVERSAL_SCALAR) {
-    stream_closest(BVH_ARGS, &origins, d, active, t, triangle, u, v);
+    stream_closest(BVH_ARGS, origins, d, active, t, triangle, u, v);
     return;
   }
   for (uint rest = active; rest; rest &= rest - 1) {
     const uint k = lowest_bit(rest);
-    closest_ray(BVH_ARGS, origin, ray_direction(d, k), &t[k], &triangle[k], &u[k], &v[k]);
+    closest_ray(BVH_ARGS, ray_direction(origins, k), ray_direction(d, k), &t[k], &triangle[k], &u[k], &v[k]);
   }
+}
+
+void closest_from(BVH_PARAMS, float3 origin, const RayDirections* d, uint active, float* t, uint* triangle, float* u,
+                  float* v) {
+  RayDirections origins;
+  share_origin(&origins, origin);
+  closest_rays(BVH_ARGS, &origins, d, active, t, triangle, u, v);
 }
 
 #endif

@@ -11,6 +11,8 @@ using Command = std::function<int()>;
 void add_render_command(CLI::App& app, Command& chosen);
 void add_probe_command(CLI::App& app, Command& chosen);
 void add_plan_command(CLI::App& app, Command& chosen);
+void add_deliver_command(CLI::App& app, Command& chosen);
+void add_bake_command(CLI::App& app, Command& chosen);
 void add_info_command(CLI::App& app, Command& chosen);
 void add_merge_command(CLI::App& app, Command& chosen);
 void add_compare_command(CLI::App& app, Command& chosen);

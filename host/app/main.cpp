@@ -29,6 +29,8 @@ int main(int argc, char** argv) {
   nook::add_render_command(app, chosen);
   nook::add_probe_command(app, chosen);
   nook::add_plan_command(app, chosen);
+  nook::add_deliver_command(app, chosen);
+  nook::add_bake_command(app, chosen);
   nook::add_info_command(app, chosen);
   nook::add_compare_command(app, chosen);
   nook::add_merge_command(app, chosen);

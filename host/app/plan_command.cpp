@@ -7,7 +7,7 @@
 #include "app/commands.hpp"
 #include "app/scene_options.hpp"
 #include "bvh/bvh.hpp"
-#include "mesh/obj_loader.hpp"
+#include "mesh/ply.hpp"
 #include "render/plan_report.hpp"
 #include "scene/names.hpp"
 
@@ -28,14 +28,20 @@ std::string grouped(std::uint64_t number) {
 
 std::string layer_text(const LayerPlan& layer) {
   if (layer.prefix.empty()) return "R,G,B";
+  if (layer.kind == EffectKind::bent) return layer.prefix + "X,Y,Z,cone,AO";
   return layer.prefix + (layer.kind == EffectKind::depth ? "Z" : is_surface(layer.kind) ? "X,Y,Z" : "R,G,B");
 }
 
 std::string settings_text(const EffectPlan& effect) {
   std::string text = fmt::format("{}, distance {}", name_of(effect.effect.sampling),
                                  std::isinf(effect.max_distance) ? "unlimited" : fmt::format("{:.6g}", effect.max_distance));
-  if (effect.effect.kind == EffectKind::ro)
-    text += effect.effect.exponent_of_material ? ", exponent of the material" : fmt::format(", exponent {}", effect.effect.exponent);
+  const Effect& e = effect.effect;
+  if (e.falloff != Falloff::none) text += fmt::format(", {} falloff", name_of(e.falloff));
+  if (e.min_distance > 0) text += fmt::format(", from {:g} on", e.min_distance);
+  if (e.kind != EffectKind::ro && e.cone_angle < 90) text += fmt::format(", cone of {:g} degrees", e.cone_angle);
+  if (e.side != Side::normal) text += fmt::format(", side {}", name_of(e.side));
+  if (e.kind == EffectKind::ro)
+    text += e.exponent_of_material ? ", exponent of the material" : fmt::format(", exponent {}", e.exponent);
   return text;
 }
 
@@ -44,7 +50,7 @@ void print_layers(const Plan& plan) {
   auto traced = plan.effects.begin();
   for (const LayerPlan& layer : plan.layers) {
     const bool settings = layer.kind != EffectKind::ssao && !is_surface(layer.kind);
-    fmt::print("  {:<16} {:<9} {}\n", layer_text(layer), name_of(layer.kind), settings ? settings_text(*traced++) : "");
+    fmt::print("  {:<24} {:<9} {}\n", layer_text(layer), name_of(layer.kind), settings ? settings_text(*traced++) : "");
   }
 }
 
@@ -89,7 +95,7 @@ void print_json(const Plan& plan, const TriangleMesh& mesh, const PlanReport& re
 
 int show_plan(const PlanOptions& options) {
   const Scene scene = options.scene.load();
-  const TriangleMesh mesh = load_obj(scene.mesh_file, needed_attributes(scene));
+  const TriangleMesh mesh = load_mesh(scene.mesh_file, needed_attributes(scene));
   const Plan plan = make_plan(scene, mesh);
   std::optional<Bvh> bvh;
   if (plan.needs_opencl()) bvh = build_bvh(mesh);

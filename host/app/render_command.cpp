@@ -21,7 +21,7 @@
 #include "film/exr.hpp"
 #include "film/png.hpp"
 #include "mesh/mesh_analysis.hpp"
-#include "mesh/obj_loader.hpp"
+#include "mesh/ply.hpp"
 #include "render/layers.hpp"
 #include "render/path_tracer.hpp"
 #include "render/picture.hpp"
@@ -192,7 +192,7 @@ int render(const RenderOptions& options) {
   Stopwatch whole, watch;
   RunRecord record;
   record.scene_file = options.scene.scene.string();
-  const TriangleMesh mesh = load_obj(scene.mesh_file, needed_attributes(scene, aovs.needs_surface()));
+  const TriangleMesh mesh = load_mesh(scene.mesh_file, needed_attributes(scene, aovs.needs_surface()));
   record.seconds.load = watch.lap();
   record.plan = options.target.plan_for(make_plan(scene, mesh, aovs.needs_surface()));
   record.triangles = mesh.triangles.size();

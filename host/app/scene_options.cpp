@@ -49,15 +49,25 @@ std::string effect_toml(const Effect& e) {
     return out;
   }
   out += fmt::format("sampling_type = \"{}\"\nmax_distance = {}\n", name_of(e.sampling), quoted_limit(e.max_distance));
+  if (e.min_distance > 0) out += fmt::format("min_distance = {}\n", e.min_distance);
+  if (e.falloff != Falloff::none) out += fmt::format("falloff = \"{}\"\n", name_of(e.falloff));
+  if (e.side != Side::normal) out += fmt::format("side = \"{}\"\n", name_of(e.side));
+  if (e.cone_angle < 90) out += fmt::format("cone_angle = {}\n", e.cone_angle);
+  if (e.view_space) out += "space = \"view\"\n";
   if (e.kind == EffectKind::ro) out += e.exponent_of_material ? "exponent = \"material\"\n" : fmt::format("exponent = {}\n", e.exponent);
   return out;
+}
+
+bool is_mesh(const std::filesystem::path& file) {
+  const std::string extension = file.extension().string();
+  return extension == ".obj" || extension == ".OBJ" || extension == ".ply" || extension == ".PLY";
 }
 
 }  // namespace
 
 void SceneOptions::add_to(CLI::App& command) {
   const CLI::Range count(1, 1 << 26);
-  command.add_option("scene", scene, "Scene file (TOML), or a bare .obj mesh")->required();
+  command.add_option("scene", scene, "Scene file (TOML), or a bare .obj or .ply mesh")->required();
   command.add_option("--spp", spp, "Camera rays a pixel; powers of two are best for sobol")->check(count)->envname("NOOK_SPP");
   command.add_option("--directions", directions, "Occlusion rays per camera ray")->check(count)->envname("NOOK_DIRECTIONS");
   command.add_option("--sampling", sampling, "cosine, hemisphere, sphere; for RO also lobe, mixture")->envname("NOOK_SAMPLING");
@@ -73,7 +83,7 @@ void SceneOptions::add_to(CLI::App& command) {
 }
 
 Scene SceneOptions::load() const {
-  Scene loaded = scene.extension() == ".obj" || scene.extension() == ".OBJ" ? scene_of_mesh(scene) : load_scene(scene);
+  Scene loaded = is_mesh(scene) ? scene_of_mesh(scene) : load_scene(scene);
   if (exponent && std::isnan(*exponent)) throw Error(ExitCode::usage, "--exponent: 'nan' is not a number from 0 to 1e7");
   if (spp) loaded.spp = *spp;
   if (directions) loaded.directions = *directions;
@@ -93,7 +103,7 @@ Scene SceneOptions::load() const {
       if (!limit) throw Error(ExitCode::usage, fmt::format("--max-distance: '{}' is not auto, none or a distance of at least 0", *max_distance));
       effect.max_distance = *limit;
     }
-    if (effect.kind == EffectKind::ao && (effect.sampling == Sampling::lobe || effect.sampling == Sampling::mixture))
+    if (effect.kind != EffectKind::ro && (effect.sampling == Sampling::lobe || effect.sampling == Sampling::mixture))
       throw Error(ExitCode::usage, fmt::format("--sampling: {} needs an RO scene", name_of(effect.sampling)));
   }
   if (size) std::tie(loaded.width, loaded.height) = parse_size(*size);

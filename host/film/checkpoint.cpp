@@ -31,6 +31,7 @@ struct Start {
 constexpr char magic[8] = {'n', 'o', 'o', 'k', 'p', 'a', 'r', 't'};
 constexpr std::uint32_t format_version = 1;
 constexpr std::uint32_t largest_header = 1u << 24;
+constexpr std::uint32_t most_extra_planes = 16;
 constexpr std::uint64_t bytes_a_pixel = 2 * sizeof(std::uint64_t) + 3 * sizeof(std::uint32_t);
 
 using Hash = std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)>;
@@ -74,7 +75,7 @@ nlohmann::json to_json(const FilmPart& part, const Extent& extent) {
   json["finished"] = part.finished;
   json["counts"] = {part.counts.camera_rays, part.counts.occlusion_rays, part.counts.rejected};
   json["render_seconds"] = part.render_seconds;
-  for (const Film& film : part.films) json["films"].push_back({film.sum_scale, film.square_scale, film.per_replicate});
+  for (const Film& film : part.films) json["films"].push_back({film.sum_scale, film.square_scale, film.per_replicate, film.extra.size()});
   json["first_pixel"] = extent.first;
   json["pixels"] = extent.count;
   json["held_boxes"] = part.held.size();
@@ -161,9 +162,12 @@ std::string from_json(const nlohmann::json& json, FilmPart& part, Extent& extent
   const auto counts = json.at("counts").get<std::array<std::uint64_t, 3>>();
   part.counts = {counts[0], counts[1], counts[2]};
   part.render_seconds = json.at("render_seconds").get<double>();
-  for (const auto& film : json.at("films").get<std::vector<std::tuple<float, float, std::uint32_t>>>()) {
+  for (const auto& film : json.at("films").get<std::vector<std::tuple<float, float, std::uint32_t, std::uint32_t>>>()) {
     Film& made = part.films.emplace_back();
-    std::tie(made.sum_scale, made.square_scale, made.per_replicate) = film;
+    std::uint32_t extra = 0;
+    std::tie(made.sum_scale, made.square_scale, made.per_replicate, extra) = film;
+    if (extra > most_extra_planes) return "a film's planes are too many";
+    made.extra.resize(extra);
     made.width = width;
     made.height = height;
     if (!is_power_of_two(made.sum_scale) || !is_power_of_two(made.square_scale) || made.per_replicate == 0) return "a film's scale is impossible";
@@ -199,6 +203,7 @@ void write_film_part(const std::filesystem::path& path, const FilmPart& part) {
   for (const Film& film : part.films) {
     for (const auto* values : {&film.sum, &film.sum_square}) writer.array(values->data() + extent.first, extent.count);
     for (const auto* values : {&film.replicates, &film.camera_samples, &film.hits}) writer.array(values->data() + extent.first, extent.count);
+    for (const auto& values : film.extra) writer.array(values.data() + extent.first, extent.count);
   }
   for (const Channel& channel : part.surface) {
     const auto& values = std::get<std::vector<float>>(channel.values);
@@ -237,8 +242,10 @@ FilmPart read_checked(const std::filesystem::path& path) {
   }
 
   const std::uint64_t pixels = part.films.front().pixels();
+  std::uint64_t extra_planes = 0;
+  for (const Film& film : part.films) extra_planes += film.extra.size();
   const std::uint64_t expected = sizeof start + header.size() + (boxes[0] + boxes[1]) * sizeof(SampleBox) +
-                                 part.films.size() * extent.count * bytes_a_pixel + part.surface.size() * pixels * sizeof(float) +
+                                 (part.films.size() * bytes_a_pixel + extra_planes * sizeof(std::uint64_t)) * extent.count + part.surface.size() * pixels * sizeof(float) +
                                  sizeof(std::uint64_t);
   if (size != expected) reject(path, fmt::format("truncated or damaged: {} bytes, expected {}", size, expected));
 
@@ -247,9 +254,10 @@ FilmPart read_checked(const std::filesystem::path& path) {
   part.planned.resize(boxes[1]);
   for (SampleBoxes* list : {&part.held, &part.planned}) reader.array(list->data(), list->size());
   for (Film& film : part.films) {
-    film = Film(film.width, film.height, film.sum_scale, film.square_scale, film.per_replicate);
+    film = Film(film.width, film.height, film.sum_scale, film.square_scale, film.per_replicate, film.extra.size());
     for (auto* values : {&film.sum, &film.sum_square}) reader.array(values->data() + extent.first, extent.count);
     for (auto* values : {&film.replicates, &film.camera_samples, &film.hits}) reader.array(values->data() + extent.first, extent.count);
+    for (auto& values : film.extra) reader.array(values.data() + extent.first, extent.count);
   }
   for (Channel& channel : part.surface) {
     auto& values = std::get<std::vector<float>>(channel.values);
@@ -289,7 +297,7 @@ std::string difference(const FilmPart& a, const std::string& name_a, const FilmP
   bool same = a.films.size() == b.films.size() && a.layers == b.layers && a.samples_per_pixel == b.samples_per_pixel;
   for (std::size_t e = 0; same && e < a.films.size(); ++e)
     same = a.films[e].width == b.films[e].width && a.films[e].height == b.films[e].height && a.films[e].sum_scale == b.films[e].sum_scale &&
-           a.films[e].square_scale == b.films[e].square_scale && a.films[e].per_replicate == b.films[e].per_replicate;
+           a.films[e].square_scale == b.films[e].square_scale && a.films[e].per_replicate == b.films[e].per_replicate && a.films[e].extra.size() == b.films[e].extra.size();
   return same ? "" : fmt::format("{} and {} are not parts of one picture", name_a, name_b);
 }
 

@@ -6,7 +6,9 @@
 #include <ImfStringAttribute.h>
 #include <ImfThreading.h>
 #include <fmt/format.h>
+#include <half.h>
 
+#include <list>
 #include <thread>
 
 #include "base/error.hpp"
@@ -52,7 +54,7 @@ void require_planes(const Image& image) {
 
 }  // namespace
 
-void write_exr(const std::filesystem::path& path, const Image& image) {
+void write_exr(const std::filesystem::path& path, const Image& image, ExrPrecision precision) {
   require_planes(image);
   // Compression is most of the time spent here, and the bytes do not depend on the number of threads.
   static const bool threads_set =
@@ -62,9 +64,14 @@ void write_exr(const std::filesystem::path& path, const Image& image) {
   Imf::Header header(image.width, image.height);
   header.compression() = Imf::ZIP_COMPRESSION;
   Imf::FrameBuffer frame;
+  std::list<std::vector<Imath::half>> halves;  // a list: the frame buffer points into its elements
   for (const Channel& channel : image.channels) {
     const char* name = channel.name.c_str();
-    if (const auto* reals = std::get_if<std::vector<float>>(&channel.values)) {
+    const auto* reals = std::get_if<std::vector<float>>(&channel.values);
+    if (reals && precision == ExrPrecision::half) {
+      header.channels().insert(name, Imf::Channel(Imf::HALF));
+      frame.insert(name, slice_of(Imf::HALF, halves.emplace_back(reals->begin(), reals->end()), image));
+    } else if (reals) {
       header.channels().insert(name, Imf::Channel(Imf::FLOAT));
       frame.insert(name, slice_of(Imf::FLOAT, *reals, image));
     } else {

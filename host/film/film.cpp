@@ -4,13 +4,14 @@
 
 namespace nook {
 
-Film::Film(int w, int h, float sum_fixed_point, float square_fixed_point, std::uint32_t directions)
+Film::Film(int w, int h, float sum_fixed_point, float square_fixed_point, std::uint32_t directions, std::size_t extra_planes)
     : width(w), height(h), sum_scale(sum_fixed_point), square_scale(square_fixed_point), per_replicate(directions) {
   sum.resize(pixels());
   sum_square.resize(pixels());
   replicates.resize(pixels());
   camera_samples.resize(pixels());
   hits.resize(pixels());
+  extra.assign(extra_planes, std::vector<std::uint64_t>(pixels()));
 }
 
 void Film::add(const Film& other) {
@@ -20,6 +21,7 @@ void Film::add(const Film& other) {
     replicates[i] += other.replicates[i];
     camera_samples[i] += other.camera_samples[i];
     hits[i] += other.hits[i];
+    for (std::size_t plane = 0; plane < extra.size(); ++plane) extra[plane][i] += other.extra[plane][i];
   }
 }
 

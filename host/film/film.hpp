@@ -21,10 +21,12 @@ struct Film {
   std::vector<std::uint32_t> replicates;
   std::vector<std::uint32_t> camera_samples;
   std::vector<std::uint32_t> hits;  ///< camera samples that hit the mesh
+  /// What an effect sums besides, a plane each: for bent normals x, y and z of Σ w V ω in the fixed point of `sum`, two's complement.
+  std::vector<std::vector<std::uint64_t>> extra;
 
   Film() = default;
   /// Throws std::bad_alloc.
-  Film(int width, int height, float sum_scale, float square_scale, std::uint32_t per_replicate);
+  Film(int width, int height, float sum_scale, float square_scale, std::uint32_t per_replicate, std::size_t extra_planes = 0);
 
   std::size_t pixels() const { return std::size_t(width) * std::size_t(height); }
   /// Adds the samples of a film of the same size and scales.

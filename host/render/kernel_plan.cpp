@@ -15,7 +15,14 @@ KernelPlan occlusion_kernel(const Plan& plan, const EffectPlan& effect) {
       .define("SAMPLING", long(effect.effect.sampling))
       .define("SAMPLER", long(plan.sampler))
       .define("REPLICATE_DIRECTIONS", plan.replicate_directions);
-  if (effect.effect.kind == EffectKind::ro && effect.effect.exponent_of_material) kernel.options.define("EXPONENT_OF_MATERIAL", 1);
+  const Effect& e = effect.effect;
+  if (e.kind == EffectKind::ro && e.exponent_of_material) kernel.options.define("EXPONENT_OF_MATERIAL", 1);
+  if (e.falloff != Falloff::none) kernel.options.define("FALLOFF", long(e.falloff));
+  if (e.min_distance > 0) kernel.options.define("MIN_DISTANCE", 1);
+  if (e.kind != EffectKind::ro && e.cone_angle < 90) kernel.options.define("CONE", 1);
+  if (e.side != Side::normal) kernel.options.define("SIDE", long(e.side));
+  if (e.kind == EffectKind::bent) kernel.options.define("BENT", 1);
+  if (e.kind == EffectKind::bent && e.view_space) kernel.options.define("BENT_VIEW", 1);
   return kernel;
 }
 

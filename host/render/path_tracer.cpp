@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "base/error.hpp"
 
@@ -56,6 +58,8 @@ struct PathTracer::Slot {
   std::vector<ClBuffer> results;
   std::vector<std::vector<TaskResult>> host_results;
   std::vector<ClEvent> kernels;  // launched and not yet added to the counters
+  std::vector<ClBuffer> extra;                          // by effect; of those without extra sums, one unused byte
+  std::vector<std::vector<std::uint64_t>> host_extra;
   bool busy = false;
 };
 
@@ -101,6 +105,10 @@ EstimatorParams PathTracer::params_for(const EffectPlan& effect, const Batch& ba
   params.width = batch.points ? 0 : nook_uint(plan_.width);
   params.max_distance = effect.max_distance;
   params.exponent = effect.effect.exponent;
+  params.min_distance = effect.effect.min_distance;
+  const double half_angle = double(effect.effect.cone_angle) * std::numbers::pi / 180;
+  params.cone_sine = float(std::sin(half_angle));
+  params.cone_cosine = float(std::cos(half_angle));
   params.sum_scale = effect.sum_scale;
   params.square_scale = effect.square_scale;
   return params;
@@ -124,7 +132,11 @@ void PathTracer::submit(Slot& slot) {
     slot.task_capacity = count;
     slot.tasks = device_.buffer(count * sizeof(Task), CL_MEM_READ_ONLY);
     slot.results.clear();
-    for (std::size_t e = 0; e < effects_.size(); ++e) slot.results.push_back(device_.buffer(count * sizeof(TaskResult)));
+    slot.extra.clear();
+    for (const EffectPlan& effect : plan_.effects) {
+      slot.results.push_back(device_.buffer(count * sizeof(TaskResult)));
+      slot.extra.push_back(device_.buffer(count * effect.extra_planes() * sizeof(std::uint64_t)));
+    }
   }
   check_opencl(opencl().clEnqueueWriteBuffer(device_.queue(), slot.tasks.get(), CL_FALSE, 0, count * sizeof(Task),
                                              batch.tasks.data(), 0, nullptr, nullptr),
@@ -148,6 +160,7 @@ void PathTracer::submit(Slot& slot) {
     launch(primary_.get(), count, &slot.kernels.emplace_back());
   }
   slot.host_results.resize(effects_.size());
+  slot.host_extra.resize(effects_.size());
   for (std::size_t e = 0; e < effects_.size(); ++e) {
     const cl_kernel kernel = effects_[e].get();
     cl_uint arg = 0;
@@ -158,7 +171,9 @@ void PathTracer::submit(Slot& slot) {
     set_arg(kernel, arg, count);
     set_arg(kernel, arg, points);
     set_arg(kernel, arg, slot.results[e]);
-    set_arg(kernel, arg, exponents_);
+    for (const ClBuffer* buffer : {&exponents_, &positions_, &triangles_}) set_arg(kernel, arg, *buffer);
+    set_arg(kernel, arg, plan_.camera);
+    set_arg(kernel, arg, slot.extra[e]);
     launch(kernel, count, &slot.kernels.emplace_back());
     slot.host_results[e].resize(count);
   }
@@ -173,6 +188,13 @@ void PathTracer::harvest(Slot& slot, std::span<Film> films) {
     check_opencl(opencl().clEnqueueReadBuffer(device_.queue(), slot.results[e].get(), CL_TRUE, 0,
                                               results.size() * sizeof(TaskResult), results.data(), 0, nullptr, nullptr),
                  "the device failed");
+    const std::size_t planes = plan_.effects[e].extra_planes();
+    auto& extra = slot.host_extra[e];
+    extra.resize(results.size() * planes);
+    if (planes)
+      check_opencl(opencl().clEnqueueReadBuffer(device_.queue(), slot.extra[e].get(), CL_TRUE, 0, extra.size() * sizeof(std::uint64_t),
+                                                extra.data(), 0, nullptr, nullptr),
+                   "the device failed");
     Film& film = films[e];
     for (std::size_t t = 0; t < results.size(); ++t) {
       const std::size_t i = batch.points ? batch.tasks[t].pixel : plan_.film_index(batch.tasks[t].pixel);
@@ -183,6 +205,7 @@ void PathTracer::harvest(Slot& slot, std::span<Film> films) {
         film.camera_samples[i] += batch.samples;
         film.hits[i] += results[t].hits;
       }
+      for (std::size_t plane = 0; plane < planes; ++plane) film.extra[plane][i] += extra[planes * t + plane];
       counters_.occlusion_rays += results[t].rays;
       counters_.effect_rays[e] += results[t].rays;
       counters_.rejected += results[t].rejected;
@@ -223,7 +246,7 @@ std::vector<Film> PathTracer::make_films() const {
   std::vector<Film> films;
   for (const EffectPlan& effect : plan_.effects)
     films.emplace_back(plan_.window.width(), plan_.window.height(), effect.sum_scale, effect.square_scale,
-                       plan_.replicate_directions ? 1 : plan_.directions);
+                       plan_.replicate_directions ? 1 : plan_.directions, effect.extra_planes());
   return films;
 }
 
@@ -267,11 +290,15 @@ bool PathTracer::accumulate(std::span<const std::uint32_t> pixels, SampleRange r
 
 Film PathTracer::estimate_points(std::span<const SurfacePoint> points, std::size_t effect, std::uint32_t directions,
                                  const Progress& progress) {
+  return std::move(estimate_all(points, directions, progress)[effect]);
+}
+
+std::vector<Film> PathTracer::estimate_all(std::span<const SurfacePoint> points, std::uint32_t directions, const Progress& progress) {
   const std::vector<SurfacePoint> held(points.begin(), points.end());
   const ClBuffer buffer = device_.input(held);
   std::vector<Film> films;
   for (const EffectPlan& planned : plan_.effects)
-    films.emplace_back(int(points.size()), 1, planned.sum_scale, planned.square_scale, plan_.replicate_directions ? 1 : directions);
+    films.emplace_back(int(points.size()), 1, planned.sum_scale, planned.square_scale, plan_.replicate_directions ? 1 : directions, planned.extra_planes());
   std::uint32_t direction = 0;
   std::size_t row = 0;
   const NextBatch next = [&](Batch& batch) {
@@ -295,7 +322,7 @@ Film PathTracer::estimate_points(std::span<const SurfacePoint> points, std::size
     return true;
   };
   run(next, films, progress);
-  return std::move(films[effect]);
+  return films;
 }
 
 std::vector<SurfacePoint> PathTracer::surface_points(std::span<const std::uint32_t> pixels) {

@@ -81,6 +81,8 @@ class PathTracer {
   /// numbers' key. Film of points.size() x 1 "pixels".
   Film estimate_points(std::span<const SurfacePoint> points, std::size_t effect, std::uint32_t directions,
                        const Progress& progress = nullptr);
+  /// The same for every effect of the plan.
+  std::vector<Film> estimate_all(std::span<const SurfacePoint> points, std::uint32_t directions, const Progress& progress = nullptr);
 
   const RenderCounters& counters() const { return counters_; }
   double build_seconds() const { return build_seconds_; }

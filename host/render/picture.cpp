@@ -1,8 +1,10 @@
 #include "render/picture.hpp"
 
+#include <array>
 #include <limits>
 
 #include "base/error.hpp"
+#include "film/bent_cone.hpp"
 #include "scene/names.hpp"
 
 namespace nook {
@@ -21,6 +23,14 @@ void add_vector(std::vector<Channel>& channels, const std::string& layer, std::s
     add_plane(channels, layer + axes[axis], surface.size(), [&](std::size_t i) {
       return surface[i].flags & SURFACE_HIT ? get(surface[i])[axis] : 0.0f;
     });
+}
+
+void add_bent(std::vector<Channel>& channels, const std::string& layer, const Film& film) {
+  std::vector<BentCone> cones(film.pixels());
+  for (std::size_t i = 0; i < cones.size(); ++i) cones[i] = bent_cone(film, i);
+  static constexpr const char* axes[] = {"X", "Y", "Z"};
+  for (int axis = 0; axis < 3; ++axis) add_plane(channels, layer + axes[axis], cones.size(), [&](std::size_t i) { return cones[i].direction[axis]; });
+  add_plane(channels, layer + "cone", cones.size(), [&](std::size_t i) { return cones[i].half_angle; });
 }
 
 }  // namespace
@@ -67,9 +77,13 @@ Image make_picture(const FilmPart& part) {
   for (std::size_t e = 0; e < part.films.size(); ++e) {
     const Film& film = part.films[e];
     const std::string& layer = part.layers[e];
+    if (!film.extra.empty()) add_bent(image.channels, layer, film);
     std::vector<float> value(film.pixels());
     for (std::size_t i = 0; i < value.size(); ++i) value[i] = float(film.value(i));
-    for (const char* channel : {"R", "G", "B"}) image.channels.push_back({layer + channel, value});
+    if (!film.extra.empty())
+      image.channels.push_back({layer + "AO", std::move(value)});
+    else
+      for (const char* channel : {"R", "G", "B"}) image.channels.push_back({layer + channel, value});
     if (e == 0 && aovs.alpha) add_plane(image.channels, "A", film.pixels(), [&](std::size_t i) { return float(film.coverage(i)); });
     const std::string of_effect = layer.empty() ? "AO." : layer;
     if (aovs.variance) add_plane(image.channels, of_effect + "variance", film.pixels(), [&](std::size_t i) { return float(film.variance(i)); });
@@ -77,8 +91,12 @@ Image make_picture(const FilmPart& part) {
       add_plane(image.channels, of_effect + "samples", film.pixels(), [&](std::size_t i) { return film.replicates[i] * film.per_replicate; });
   }
   image.channels.insert(image.channels.end(), part.surface.begin(), part.surface.end());
+  // A main layer with a name of its own: its first three channels are an occlusion three times, or a direction.
   if (!image.find("R"))
-    for (const char* channel : {"R", "G", "B"}) image.channels.push_back({channel, image.channels.front().values});
+    for (std::size_t i = 0; i < 3; ++i) {
+      auto values = image.channels[i].values;
+      image.channels.push_back({std::array{"R", "G", "B"}[i], std::move(values)});
+    }
   image.metadata = {part.metadata.begin(), part.metadata.end()};
   return image;
 }

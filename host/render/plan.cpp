@@ -13,7 +13,7 @@ namespace {
 
 // The largest weight that kernels/ambient.cl and kernels/reflection.cl can return.
 double weight_bound(const Effect& effect, double n) {
-  if (effect.kind == EffectKind::ao)
+  if (effect.kind != EffectKind::ro)
     return effect.sampling == Sampling::sphere ? 4 : effect.sampling == Sampling::hemisphere ? 2 : 1;
   switch (effect.sampling) {
     case Sampling::cosine:
@@ -61,10 +61,10 @@ const Effect& main_effect(const Scene& scene) {
   return found == scene.effects.end() ? scene.effects.front() : *found;
 }
 
-// The effect's own name, else its type, numbered if that is taken; an unnamed main effect needs none.
+// The effect's own name, else its type, numbered if that is taken; an unnamed main effect needs none (bent normals have channels beyond R, G, B).
 std::string layer_prefix(const Scene& scene, const Effect& effect, const std::vector<LayerPlan>& before) {
   if (!effect.name.empty()) return effect.name + ".";
-  if (&effect == &main_effect(scene)) return "";
+  if (&effect == &main_effect(scene) && effect.kind != EffectKind::bent) return "";
   const std::string type(name_of(effect.kind));
   const auto taken = [&](const std::string& name) {
     return std::any_of(scene.effects.begin(), scene.effects.end(), [&](const Effect& e) { return e.name == name; }) ||
@@ -82,6 +82,16 @@ std::vector<float> exponents_of(const Scene& scene, const TriangleMesh& mesh) {
     throw Error(ExitCode::scene, scene.file.string() + ": exponent = \"material\" needs a material with a lobe (Ns in the MTL file), and " +
                                      scene.mesh_file.string() + " has none");
   return exponents;
+}
+
+// Settings that exclude one another, wherever they came from: scene file or command line.
+void check(const Scene& scene, const EffectPlan& planned) {
+  const Effect& effect = planned.effect;
+  const auto reject = [&](const std::string& what) { throw Error(ExitCode::scene, scene.file.string() + ": " + what); };
+  if (effect.falloff != Falloff::none && !(planned.max_distance > 0 && std::isfinite(planned.max_distance)))
+    reject("falloff = \"" + std::string(name_of(effect.falloff)) + "\" needs a max_distance above 0, and a finite one");
+  if (effect.min_distance > 0 && !(effect.min_distance < planned.max_distance)) reject("min_distance must be below max_distance");
+  if (effect.cone_angle < 90 && effect.sampling == Sampling::sphere) reject("cone_angle needs sampling_type cosine or hemisphere");
 }
 
 }  // namespace
@@ -161,6 +171,7 @@ Plan make_plan(const Scene& scene, const TriangleMesh& mesh, bool surface) {
       planned.max_distance = resolve_distance(effect, mesh.bounds, scene.compat_tinyrender);
       choose_scales(planned, effect.exponent_of_material ? *std::max_element(plan.exponents.begin(), plan.exponents.end())
                                                          : effect.exponent);
+      check(scene, planned);
       plan.effects.push_back(planned);
     }
     plan.layers.push_back(layer);

@@ -19,6 +19,9 @@ struct EffectPlan {
   float sum_scale = 1;            ///< of Film::sum
   float square_scale = 1;         ///< of Film::sum_square
   std::string layer;              ///< see LayerPlan::prefix
+
+  /// Planes of Film::extra.
+  std::size_t extra_planes() const { return effect.kind == EffectKind::bent ? 3 : 0; }
 };
 
 /// What the camera sees, without occlusion: normal, position, depth.

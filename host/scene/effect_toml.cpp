@@ -54,8 +54,6 @@ void read_exponent(TomlTable& table, Effect& effect) {
   effect.exponent = float(table.number("exponent", effect.exponent, 0, 1e7, "a number from 0 to 1e7, or \"material\""));
 }
 
-bool traced(EffectKind kind) { return kind == EffectKind::ao || kind == EffectKind::ro; }
-
 // The names of EXR layers and channels that the picture itself uses.
 constexpr std::string_view taken_names[] = {"R", "G", "B", "A", "N", "P", "Z", "AO"};
 
@@ -75,6 +73,15 @@ void read_traced(TomlTable& table, Effect& effect) {
   effect.sampling = read_sampling(table, effect.kind);
   if (effect.kind == EffectKind::ro) effect.max_distance.kind = DistanceLimit::Kind::none;
   effect.max_distance = table.distance("max_distance", effect.max_distance);
+  effect.min_distance = float(table.number("min_distance", effect.min_distance, 0, 1e30, "a distance of at least 0"));
+  effect.falloff = table.choice<Falloff>("falloff", effect.falloff, falloff_names);
+  effect.side = table.choice<Side>("side", effect.side, side_names);
+  if (effect.kind == EffectKind::ro) return;
+  effect.cone_angle = float(table.number("cone_angle", effect.cone_angle, 0, 90, "an angle above 0 and up to 90 degrees"));
+  if (effect.cone_angle == 0) table.wrong(*table.find("cone_angle"), "cone_angle", "an angle above 0 and up to 90 degrees");
+  if (effect.kind != EffectKind::bent) return;
+  static constexpr std::pair<std::string_view, bool> spaces[] = {{"world", false}, {"view", true}};
+  effect.view_space = table.choice<bool>("space", effect.view_space, spaces);
 }
 
 }  // namespace
@@ -94,7 +101,7 @@ Effect read_listed_effect(TomlTable& table, bool realtime) {
   effect.kind = read_type(table, realtime);
   table.set_title(fmt::format("[[effect]] of type \"{}\"", name_of(effect.kind)));
   effect.name = read_name(table);
-  if (traced(effect.kind)) read_traced(table, effect);
+  if (is_traced(effect.kind)) read_traced(table, effect);
   if (effect.kind == EffectKind::ro) read_exponent(table, effect);
   if (effect.kind == EffectKind::ssao) effect.ssao = read_ssao(table);
   table.finish();

@@ -27,7 +27,14 @@ inline constexpr std::pair<std::string_view, Sampler> sampler_names[] = {{"indep
                                                                          {"zorder", Sampler::zorder}};
 inline constexpr std::pair<std::string_view, EffectKind> effect_names[] = {
     {"ao", EffectKind::ao},         {"ro", EffectKind::ro},             {"ssao", EffectKind::ssao},
-    {"normal", EffectKind::normal}, {"position", EffectKind::position}, {"depth", EffectKind::depth}};
+    {"normal", EffectKind::normal}, {"position", EffectKind::position}, {"depth", EffectKind::depth},
+    {"bent", EffectKind::bent}};
+inline constexpr std::pair<std::string_view, Falloff> falloff_names[] = {{"none", Falloff::none},
+                                                                         {"linear", Falloff::linear},
+                                                                         {"smooth", Falloff::smooth},
+                                                                         {"exponential", Falloff::exponential}};
+inline constexpr std::pair<std::string_view, Side> side_names[] = {
+    {"normal", Side::normal}, {"inside", Side::inside}, {"viewer", Side::viewer}};
 inline constexpr std::pair<std::string_view, SsaoSettings::Method> ssao_method_names[] = {
     {"point", SsaoSettings::Method::point}, {"gtao", SsaoSettings::Method::gtao}, {"march", SsaoSettings::Method::march}};
 inline constexpr std::pair<std::string_view, SsaoSettings::Quality> ssao_quality_names[] = {
@@ -44,6 +51,8 @@ std::string_view name_of(NameTable<T> table, T value) {
 inline std::string_view name_of(Sampling v) { return name_of<Sampling>(sampling_names, v); }
 inline std::string_view name_of(Sampler v) { return name_of<Sampler>(sampler_names, v); }
 inline std::string_view name_of(EffectKind v) { return name_of<EffectKind>(effect_names, v); }
+inline std::string_view name_of(Falloff v) { return name_of<Falloff>(falloff_names, v); }
+inline std::string_view name_of(Side v) { return name_of<Side>(side_names, v); }
 inline std::string_view name_of(SsaoSettings::Method v) { return name_of<SsaoSettings::Method>(ssao_method_names, v); }
 inline std::string_view name_of(SsaoSettings::Quality v) { return name_of<SsaoSettings::Quality>(ssao_quality_names, v); }
 

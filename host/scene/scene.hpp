@@ -35,11 +35,16 @@ struct DistanceLimit {
   bool operator==(const DistanceLimit&) const = default;
 };
 
-enum class EffectKind { ao, ro, ssao, normal, position, depth };
+enum class EffectKind { ao, ro, ssao, normal, position, depth, bent };
 /// The distribution that directions are drawn from. `lobe` and `mixture` are for RO alone.
 enum class Sampling { cosine, hemisphere, sphere, lobe, mixture };
 /// The point sequence; see kernels/sampler.cl.
 enum class Sampler { independent, stratified, halton, sobol, zorder };
+
+/// How an occluder's distance counts; see kernels/visibility.cl.
+enum class Falloff { none, linear, smooth, exponential };
+/// The side of the surface that occlusion looks to: the shading normal's, the other, or the viewer's.
+enum class Side { normal, inside, viewer };
 
 /// Screen-space AO; see ssao/ssao.hpp for what the methods compute.
 struct SsaoSettings {
@@ -61,8 +66,16 @@ struct Effect {
   DistanceLimit max_distance;
   float exponent = 30;              ///< RO: Phong exponent, 0 to 1e7
   bool exponent_of_material = false;  ///< RO: use the MTL's Ns
+  Falloff falloff = Falloff::none;
+  float min_distance = 0;           ///< world units; nearer surfaces do not occlude
+  float cone_angle = 90;            ///< AO, bent: half-angle of the cone about the normal, degrees, in (0, 90]
+  Side side = Side::normal;
+  bool view_space = false;          ///< bent: along the camera's right, up and back axes instead of the world's
   SsaoSettings ssao;
 };
+
+/// Effects that trace occlusion rays.
+inline bool is_traced(EffectKind kind) { return kind == EffectKind::ao || kind == EffectKind::ro || kind == EffectKind::bent; }
 
 /// What a scene file says, checked and complete; nothing is derived yet (see render/plan.hpp).
 struct Scene {

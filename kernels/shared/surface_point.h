@@ -12,7 +12,7 @@ typedef struct {
   float normal[3];            // shading normal, unit; directions are sampled around it
   nook_uint triangle;         // index into the mesh
   float view[3];              // unit direction to the viewer; RO mirrors it about the shading normal
-  float distance;             // along the camera ray, world units
+  float distance;             // along the camera ray, world units; of a point that the host made: how far the origin is off it
   float geometric_normal[3];  // unit, from the winding
   nook_uint material;         // index, or 0xffffffff
 } SurfacePoint;

@@ -24,6 +24,9 @@ typedef struct {
   float exponent;              // RO: Phong exponent
   float sum_scale;             // fixed point of TaskResult.sum, a power of two
   float square_scale;          // fixed point of TaskResult.sum_square
+  float min_distance;          // world units; nearer surfaces do not occlude
+  float cone_sine;             // of the half-angle of the cone about the normal that AO looks into
+  float cone_cosine;
 } EstimatorParams;
 
 #endif

@@ -1,0 +1,41 @@
+#include <fmt/format.h>
+
+#include <cstring>
+
+#include "base/pending_file.hpp"
+#include "mesh/ply.hpp"
+
+namespace nook {
+namespace {
+
+// Everything that nook runs on is little-endian.
+template <class T>
+void append(std::string& out, const T& value) {
+  char bytes[sizeof(T)];
+  std::memcpy(bytes, &value, sizeof(T));
+  out.append(bytes, sizeof(T));
+}
+
+}  // namespace
+
+void write_ply(const std::filesystem::path& path, const TriangleMesh& mesh, std::span<const vec3> normals,
+               std::span<const VertexProperty> properties) {
+  std::string out = fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n", mesh.positions.size());
+  for (const char* name : {"x", "y", "z", "nx", "ny", "nz"}) out += fmt::format("property float {}\n", name);
+  for (const VertexProperty& property : properties) out += fmt::format("property float {}\n", property.name);
+  out += fmt::format("element face {}\nproperty list uchar uint vertex_indices\nend_header\n", mesh.triangles.size());
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    append(out, mesh.positions[i]);
+    append(out, normals[i]);
+    for (const VertexProperty& property : properties) append(out, property.values[i]);
+  }
+  for (const auto& triangle : mesh.triangles) {
+    append(out, std::uint8_t(3));
+    append(out, triangle);
+  }
+  PendingFile file(path);
+  file.write(out.data(), out.size());
+  file.commit();
+}
+
+}  // namespace nook

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cmath>
+#include <utility>
+
+#include "bvh/bvh.hpp"
+#include "render/path_tracer.hpp"
+#include "render/points.hpp"
+#include "support/kernels.hpp"
+
+namespace nook::test {
+
+/// Appends the parallelogram p, p+u, p+u+v, p+v.
+inline void add_parallelogram(TriangleMesh& mesh, const vec3& p, const vec3& u, const vec3& v) {
+  const auto first = std::uint32_t(mesh.positions.size());
+  for (const vec3& corner : {p, p + u, p + u + v, p + v}) {
+    mesh.positions.push_back(corner);
+    mesh.bounds.add(corner);
+  }
+  mesh.triangles.push_back({first, first + 1, first + 2});
+  mesh.triangles.push_back({first, first + 2, first + 3});
+}
+
+/// The plane z = height within +-1000: endless for rays of a few units.
+inline TriangleMesh plane_at(float height) {
+  TriangleMesh mesh;
+  add_parallelogram(mesh, {-1000, -1000, height}, {2000, 0, 0}, {0, 2000, 0});
+  return mesh;
+}
+
+/// The film of one effect at the origin with normal +z, by `directions` directions.
+inline Film estimate_at_origin(const TriangleMesh& mesh, const Effect& effect, std::uint32_t directions = 1u << 16) {
+  Scene scene;
+  scene.effects = {effect};
+  scene.directions = directions;
+  scene.sampler = Sampler::independent;
+  const Plan plan = make_plan(scene, mesh);
+  const Bvh bvh = build_bvh(mesh);
+  PathTracer tracer(device(), plan, mesh, bvh);
+  const SurfacePoint point = surface_point({0, 0, 0}, {0, 0, 1}, {0, 0, 1}, mesh.bounds);
+  return tracer.estimate_points({&point, 1}, 0, directions);
+}
+
+/// |estimate - expected| within 4 standard errors (two-sided p = 6e-5), and those small enough to mean something.
+inline void expect_value(const Film& film, double expected) {
+  const double error = std::sqrt(film.variance(0));
+  EXPECT_LT(error, 0.005);
+  EXPECT_NEAR(film.value(0), expected, 4 * error + 1e-6);
+}
+
+}  // namespace nook::test

@@ -1,0 +1,77 @@
+// nook deliver: what it refuses, and what it packs.
+#include <ImfChannelList.h>
+#include <ImfHeader.h>
+#include <ImfInputFile.h>
+#include <gtest/gtest.h>
+
+#include "nook_program.hpp"
+
+namespace nook::test {
+namespace {
+
+std::string config(const std::string& renders) {
+  return "{\"firstlast\": \"Ada Lovelace\", \"id\": 123, \"course\": 446, \"assignment\": 3, \"renders\": [" + renders + "]}";
+}
+
+std::string entry(const std::string& render) { return "{\"scene\": \"A picture\", \"render\": \"" + render + "\"}"; }
+
+ProgramResult deliver(const TemporaryFolder& folder, const std::string& json, const std::string& arguments = "") {
+  write_small_scene(folder, "small_ao.toml", "[renderer]\ntype = \"ao\"\nspp = 1\n");
+  write_small_scene(folder, "small_ro_offline.toml", "[renderer]\ntype = \"ro\"\nspp = 1\nexponent = 10\n");
+  write_bytes(folder / "config.json", json);
+  return run_nook(folder, "deliver '" + (folder / "config.json").string() + "' " + arguments);
+}
+
+TEST(Deliver, PacksTheSet) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "src" / "render");
+  write_bytes(folder / "src" / "render" / "ao.h", "// mine\n");
+  const ProgramResult run = deliver(folder, config(entry("offline/small_ao.exr") + "," + entry("offline/small_ro.exr")), "--student 'Grace Hopper'");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::filesystem::path out = folder / "delivery";
+  for (const char* part : {"config.json", "offline/", "small_ao.exr", "small_ro.exr", "src/render/", "ao.h"})
+    EXPECT_NE(run.out.find(part), std::string::npos) << part << "\n" << run.out;
+  const Imf::InputFile exr((out / "offline" / "small_ao.exr").c_str());
+  int channels = 0;
+  for (auto c = exr.header().channels().begin(); c != exr.header().channels().end(); ++c, ++channels) EXPECT_EQ(c.channel().type, Imf::HALF);
+  EXPECT_EQ(channels, 3);
+
+  const std::string zip = read_bytes(out / "123_a3.zip");
+  // Each name stands before its file and again in the directory at the end.
+  for (const std::string name : {"config.json", "src/render/ao.h", "offline/small_ao.exr", "offline/small_ro.exr"}) {
+    std::size_t found = 0;
+    for (std::size_t at = zip.find(name); at != std::string::npos; at = zip.find(name, at + 1)) ++found;
+    EXPECT_EQ(found, 2u) << name;
+  }
+  EXPECT_EQ(zip.find("small_ao.png"), std::string::npos);
+  EXPECT_EQ(zip.substr(0, 4), std::string("PK\3\4"));
+  const std::string sheet = read_bytes(out / "contact_sheet.html");
+  EXPECT_NE(sheet.find("Grace Hopper"), std::string::npos);
+  EXPECT_NE(sheet.find("data:image/png;base64,iVBORw0KGgo"), std::string::npos);
+  EXPECT_NE(read_bytes(out / "config.json").find("\"firstlast\": \"Grace Hopper\""), std::string::npos);
+}
+
+TEST(Deliver, RefusesABadConfiguration) {
+  const TemporaryFolder folder;
+  const auto refuse = [&](const std::string& json, const std::string& message) {
+    const ProgramResult run = deliver(folder, json);
+    EXPECT_EQ(run.exit_code, 3) << json;
+    EXPECT_NE(run.err.find(message), std::string::npos) << run.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "delivery"));
+  };
+  refuse("{\n  \"firstlast\": \"A\",,\n}", "config.json:2:20: not JSON");
+  refuse("[1]", "must be an object");
+  refuse("{}", "firstlast is missing");
+  refuse("{\"firstlast\": 3}", "firstlast must be a string");
+  refuse("{\"firstlast\": \"A\", \"id\": -4}", "id must be a whole number");
+  refuse(config(""), "renders must be a list, and not empty");
+  refuse(config("3"), "renders must hold objects in renders[0]");
+  refuse(config(entry("small_ao.exr")), "must be offline/NAME.exr or realtime/NAME.exr");
+  refuse(config(entry("offline/../../small_ao.exr")), "must be offline/NAME.exr");
+  refuse(config(entry("offline/nothing.exr")), "no scene for offline/nothing.exr: tried");
+  refuse(config(entry("realtime/small_ao.exr")), "belongs into the other folder");
+  refuse(config(entry("offline/small_ao.exr") + "," + entry("offline/small_ao.exr")), "listed twice");
+}
+
+}  // namespace
+}  // namespace nook::test
