@@ -11,6 +11,7 @@
 #include "film/bent_cone.hpp"
 #include "mesh/ply.hpp"
 #include "render/path_tracer.hpp"
+#include "render/scene_mesh.hpp"
 #include "render/vertex_points.hpp"
 
 namespace nook {
@@ -62,7 +63,7 @@ std::vector<VertexProperty> properties_of(const EffectPlan& effect, const Film& 
 
 int bake(const BakeOptions& options) {
   const Scene scene = bake_scene(options);
-  const TriangleMesh mesh = load_mesh(scene.mesh_file, needed_attributes(scene));
+  const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene));
   const Plan plan = make_plan(scene, mesh);
   for (const EffectPlan& effect : plan.effects)
     if (effect.effect.view_space || effect.effect.side == Side::viewer)

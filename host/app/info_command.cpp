@@ -6,8 +6,8 @@
 #include "app/commands.hpp"
 #include "app/scene_options.hpp"
 #include "mesh/mesh_analysis.hpp"
-#include "mesh/ply.hpp"
 #include "render/plan.hpp"
+#include "render/scene_mesh.hpp"
 #include "scene/names.hpp"
 
 namespace nook {
@@ -15,7 +15,7 @@ namespace {
 
 int print_info(const SceneOptions& options) {
   const Scene scene = options.load();
-  const TriangleMesh mesh = load_mesh(scene.mesh_file, {.normals = true, .uvs = false, .materials = true, .groups = true});
+  const TriangleMesh mesh = load_scene_mesh(scene, {.normals = true, .uvs = false, .materials = true, .groups = true});
   const MeshAnalysis analysis = analyse(mesh);
   const vec3 lo = mesh.bounds.lo, hi = mesh.bounds.hi, center = mesh.bounds.center();
   fmt::print("mesh              {}\n", scene.mesh_file.string());
@@ -32,7 +32,7 @@ int print_info(const SceneOptions& options) {
   fmt::print("NaN or infinite   {} triangles dropped\n", mesh.report.non_finite_dropped);
   for (const Effect& effect : scene.effects) {
     if (!is_traced(effect.kind)) continue;
-    const float limit = resolve_distance(effect, mesh.bounds, scene.compat_tinyrender);
+    const float limit = resolve_distance(effect, mesh.subject_bounds(), scene.compat_tinyrender);
     fmt::print("distance limit    {} for {} ({})\n", std::isinf(limit) ? "none" : fmt::format("{:g}", limit), name_of(effect.kind),
                effect.max_distance.kind == DistanceLimit::Kind::automatic && scene.compat_tinyrender ? "compat = tinyrender"
                                                                                                        : to_string(effect.max_distance));

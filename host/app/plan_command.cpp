@@ -7,8 +7,8 @@
 #include "app/commands.hpp"
 #include "app/scene_options.hpp"
 #include "bvh/bvh.hpp"
-#include "mesh/ply.hpp"
 #include "render/plan_report.hpp"
+#include "render/scene_mesh.hpp"
 #include "scene/names.hpp"
 
 namespace nook {
@@ -95,7 +95,7 @@ void print_json(const Plan& plan, const TriangleMesh& mesh, const PlanReport& re
 
 int show_plan(const PlanOptions& options) {
   const Scene scene = options.scene.load();
-  const TriangleMesh mesh = load_mesh(scene.mesh_file, needed_attributes(scene));
+  const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene));
   const Plan plan = make_plan(scene, mesh);
   std::optional<Bvh> bvh;
   if (plan.needs_opencl()) bvh = build_bvh(mesh);

@@ -10,9 +10,9 @@
 #include "app/scene_options.hpp"
 #include "base/error.hpp"
 #include "bvh/bvh.hpp"
-#include "mesh/ply.hpp"
 #include "render/path_tracer.hpp"
 #include "render/points.hpp"
+#include "render/scene_mesh.hpp"
 #include "scene/names.hpp"
 
 namespace nook {
@@ -53,7 +53,7 @@ Scene probe_scene(const ProbeOptions& options) {
 
 int probe(const ProbeOptions& options) {
   const Scene scene = probe_scene(options);
-  const TriangleMesh mesh = load_mesh(scene.mesh_file, {.normals = false});
+  const TriangleMesh mesh = load_scene_mesh(scene, {.normals = false});
   const Plan plan = make_plan(scene, mesh);
   const std::vector<SurfacePoint> points =
       load_points(options.points, scene.effects.front().kind == EffectKind::ro, mesh.bounds);

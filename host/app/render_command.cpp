@@ -21,10 +21,10 @@
 #include "film/exr.hpp"
 #include "film/png.hpp"
 #include "mesh/mesh_analysis.hpp"
-#include "mesh/ply.hpp"
 #include "render/layers.hpp"
 #include "render/path_tracer.hpp"
 #include "render/picture.hpp"
+#include "render/scene_mesh.hpp"
 #include "render/session.hpp"
 #include "report/run_record.hpp"
 #include "scene/names.hpp"
@@ -192,7 +192,7 @@ int render(const RenderOptions& options) {
   Stopwatch whole, watch;
   RunRecord record;
   record.scene_file = options.scene.scene.string();
-  const TriangleMesh mesh = load_mesh(scene.mesh_file, needed_attributes(scene, aovs.needs_surface()));
+  const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene, aovs.needs_surface()));
   record.seconds.load = watch.lap();
   record.plan = options.target.plan_for(make_plan(scene, mesh, aovs.needs_surface()));
   record.triangles = mesh.triangles.size();

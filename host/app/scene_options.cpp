@@ -124,7 +124,12 @@ Device DeviceOptions::open() const {
 
 std::string to_toml(const Scene& s) {
   auto point = [](const vec3& p) { return fmt::format("[{}, {}, {}]", p.x, p.y, p.z); };
-  std::string out = fmt::format("[input]\nobjfile = \"{}\"\n\n", s.mesh_file.string());
+  std::string out = s.instances.empty() ? fmt::format("[input]\nobjfile = \"{}\"\n\n", s.mesh_file.string()) : "";
+  for (const Instance& i : s.instances)
+    out += fmt::format("[[instance]]\nobjfile = \"{}\"\ntranslate = {}\nrotate = {}\nscale = {}\n\n", i.mesh_file.string(), point(i.translate),
+                       point(i.rotate), point(i.scale));
+  const auto or_auto = [](const std::optional<float>& value) { return value ? fmt::format("{}", *value) : "\"auto\""; };
+  if (s.ground) out += fmt::format("[ground]\nheight = {}\nreach = {}\n\n", or_auto(s.ground->height), or_auto(s.ground->reach));
   if (!s.automatic_camera)
     out += fmt::format("[camera]\neye = {}\nat = {}\nup = {}\nfov = {}\n\n", point(s.camera.eye), point(s.camera.at), point(s.camera.up), s.camera.fov);
   out += fmt::format("[film]\nwidth = {}\nheight = {}\n", s.width, s.height);
@@ -147,6 +152,7 @@ std::string to_toml(const Scene& s) {
 std::string scene_hash(const Scene& scene) {
   Scene unnamed = scene;
   unnamed.mesh_file.clear();
+  for (Instance& instance : unnamed.instances) instance.mesh_file.clear();
   const std::string text = to_toml(unnamed);
   const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);

@@ -72,14 +72,14 @@ void draw_ssao(const Scene& scene, const TriangleMesh& mesh, const AovRequest& a
     const LayerPlan& layer = plan.layers[layer_index++];
     SsaoRecord& drawn = record.ssao.emplace_back();
     drawn.settings = settings;
-    drawn.plan = plan_ssao(settings, mesh.bounds);
+    drawn.plan = plan_ssao(settings, mesh.subject_bounds());
     drawn.plan.as_published = scene.compat_tinyrender && !settings.quality;
     drawn.frames = frames;
     const bool surface = alone && record.ssao.size() == 1;
     const SsaoOutputs outputs{.positions = surface && (aovs.position || aovs.depth), .normals = surface && aovs.normal};
     SsaoFrame frame;
     for (unsigned i = 0; i < frames; ++i) {
-      frame = renderer.render(resolve_camera(scene, mesh.bounds), drawn.plan, scene.width, scene.height, outputs);
+      frame = renderer.render(resolve_camera(scene, mesh.subject_bounds()), drawn.plan, scene.width, scene.height, outputs);
       keep_fastest(drawn, frame);
     }
     const std::vector<float> value = cut(plan, [&](std::size_t i) { return frame.occlusion[i]; });

@@ -12,7 +12,7 @@
 #include "film/exr.hpp"
 #include "film/png.hpp"
 #include "mesh/mesh_analysis.hpp"
-#include "mesh/ply.hpp"
+#include "render/scene_mesh.hpp"
 
 namespace nook {
 
@@ -28,7 +28,7 @@ int render_ssao(const Scene& scene, const SsaoRun& run) {
   record.scene_file = run.scene_file.string();
   // llvmpipe has no other way; it reads this when the context is made.
   if (run.threads > 0) setenv("LP_NUM_THREADS", std::to_string(run.threads).c_str(), 1);
-  const TriangleMesh mesh = load_mesh(scene.mesh_file, needed_attributes(scene, run.aovs.normal));
+  const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene, run.aovs.normal));
   record.seconds.load = seconds_since(start);
   record.plan = make_plan(scene, mesh);
   record.triangles = mesh.triangles.size();

@@ -13,7 +13,7 @@
 #include "bvh/bvh.hpp"
 #include "film/exr.hpp"
 #include "mesh/mesh_analysis.hpp"
-#include "mesh/obj_loader.hpp"
+#include "render/scene_mesh.hpp"
 #include "report/study_page.hpp"
 #include "scene/names.hpp"
 
@@ -146,7 +146,7 @@ int study(const StudyOptions& options) {
   fs::create_directories(folder, code);
   if (!fs::is_directory(folder, code)) throw Error(ExitCode::output, fmt::format("{}: cannot make the folder", folder.string()));
 
-  const TriangleMesh mesh = load_obj(scene.mesh_file, needed_attributes(scene, false));
+  const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene, false));
   const Device device = options.device.open();
   const Bvh bvh = build_bvh(mesh);
   catch_interrupts();

@@ -36,6 +36,9 @@ struct TriangleMesh {
   std::vector<Material> materials;
   std::vector<std::string> groups;
   Bounds3 bounds;  ///< of the positions that triangles use
+  Bounds3 subject; ///< the bounds without the ground that a scene added; empty if there is none
+  /// What automatic distances and cameras refer to.
+  const Bounds3& subject_bounds() const { return subject.empty() ? bounds : subject; }
 
   /// What the loader found and did; `nook info` prints it.
   struct Report {

@@ -35,7 +35,8 @@ struct AdaptiveRender::EffectState {
 };
 
 bool samples_are_counts(const EffectPlan& effect, std::uint32_t directions) {
-  return effect.effect.kind == EffectKind::ao && effect.effect.sampling == Sampling::cosine && directions == 1;
+  return effect.effect.kind == EffectKind::ao && effect.effect.sampling == Sampling::cosine &&
+         effect.effect.falloff == Falloff::none && directions == 1;
 }
 
 Plan AdaptiveRender::plan_for(Plan plan, const ErrorTarget& target) {

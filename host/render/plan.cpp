@@ -146,7 +146,7 @@ void choose_scales(EffectPlan& effect, float largest_exponent) {
 
 Plan make_plan(const Scene& scene, const TriangleMesh& mesh, bool surface) {
   Plan plan;
-  plan.camera = camera_params(scene, mesh.bounds);
+  plan.camera = camera_params(scene, mesh.subject_bounds());
   plan.width = scene.width;
   plan.height = scene.height;
   plan.window = scene.crop.value_or(PixelRect{0, 0, scene.width, scene.height});
@@ -168,7 +168,7 @@ Plan make_plan(const Scene& scene, const TriangleMesh& mesh, bool surface) {
       EffectPlan planned;
       planned.layer = layer.prefix;
       planned.effect = effect;
-      planned.max_distance = resolve_distance(effect, mesh.bounds, scene.compat_tinyrender);
+      planned.max_distance = resolve_distance(effect, mesh.subject_bounds(), scene.compat_tinyrender);
       choose_scales(planned, effect.exponent_of_material ? *std::max_element(plan.exponents.begin(), plan.exponents.end())
                                                          : effect.exponent);
       check(scene, planned);

@@ -77,10 +77,26 @@ struct Effect {
 /// Effects that trace occlusion rays.
 inline bool is_traced(EffectKind kind) { return kind == EffectKind::ao || kind == EffectKind::ro || kind == EffectKind::bent; }
 
+/// A copy of a mesh file: p -> translate + Rz Ry Rx scale p.
+struct Instance {
+  std::filesystem::path mesh_file;
+  vec3 translate{0};  ///< world units
+  vec3 rotate{0};     ///< degrees about x, then y, then z
+  vec3 scale{1};
+};
+
+/// A large square below everything.
+struct Ground {
+  std::optional<float> height;  ///< y, world units; unset: the lowest point of the mesh
+  std::optional<float> reach;   ///< from the mesh's center to each side, world units; unset: 20 bounding radii
+};
+
 /// What a scene file says, checked and complete; nothing is derived yet (see render/plan.hpp).
 struct Scene {
   std::filesystem::path file;                  ///< as the user named it; for messages
   std::filesystem::path mesh_file;             ///< resolved against the scene file's folder
+  std::vector<Instance> instances;             ///< if any, they are the scene, and mesh_file is the first one's
+  std::optional<Ground> ground;
   Camera camera;
   bool automatic_camera = false;               ///< frame the mesh (a bare OBJ)
   int width = 768, height = 576;               ///< pixels

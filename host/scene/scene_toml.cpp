@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "scene/effect_toml.hpp"
+#include "scene/input_toml.hpp"
 #include "scene/toml_table.hpp"
 
 namespace nook {
@@ -88,14 +89,11 @@ Scene load_scene(const std::filesystem::path& path) {
     if (node && !node->is_table()) fail_at(file, node->source(), fmt::format("{} must be a table: [{}]", key, key));
     return TomlTable(file, fmt::format("[{}]", key), node ? node->as_table() : nullptr);
   };
-  TomlTable input = table("input"), camera = table("camera"), film = table("film"), renderer = table("renderer");
+  TomlTable input = table("input"), camera = table("camera"), film = table("film"), renderer = table("renderer"), ground = table("ground");
 
   Scene scene;
   scene.file = path;
-  if (!input.has("objfile")) input.missing("objfile");
-  const std::string objfile = input.text("objfile", "");
-  if (objfile.empty()) input.wrong(*input.find("objfile"), "objfile", "the name of a mesh");
-  scene.mesh_file = path.parent_path() / objfile;
+  read_input(input, ground, top.find("instance"), scene);
   scene.camera.fov = float(camera.number("fov", scene.camera.fov, 0, 180, "an angle above 0 and below 180 degrees", true));
   scene.camera.eye = camera.point("eye", scene.camera.eye);
   scene.camera.at = camera.point("at", scene.camera.at);
@@ -103,7 +101,7 @@ Scene load_scene(const std::filesystem::path& path) {
   read_film(film, scene);
   read_renderer(renderer, scene);
   read_effects(file, top.find("effect"), renderer, scene);
-  for (const TomlTable* each : {&top, &input, &camera, &film, &renderer}) each->finish();
+  for (const TomlTable* each : {&top, &input, &camera, &film, &renderer, &ground}) each->finish();
   return scene;
 }
 

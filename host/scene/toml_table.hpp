@@ -24,6 +24,7 @@ class TomlTable {
   TomlTable(const std::string& file, std::string title, const toml::table* table)
       : file_(file), title_(std::move(title)), table_(table) {}
 
+  explicit operator bool() const { return table_ != nullptr; }
   const std::string& file() const { return file_; }
   void set_title(std::string title) { title_ = std::move(title); }
   bool has(std::string_view key) const { return table_ && table_->contains(key); }

@@ -130,6 +130,26 @@ TEST(Effects, OfflineMapsNoOpenGl) {
   EXPECT_FALSE(maps(stats, "libGL"));
 }
 
+TEST(Effects, SsaoAloneMapsNoOpenCl) {
+  const TemporaryFolder folder;
+  const auto stats = stats_of(folder, "[renderer]\nrealtime = true\ntype = \"ssao\"\n");
+  EXPECT_TRUE(maps(stats, "OSMesa"));
+  EXPECT_FALSE(maps(stats, "OpenCL"));
+  EXPECT_FALSE(maps(stats, "pocl"));
+  EXPECT_EQ(stats["rays"]["camera"], 0);
+  EXPECT_EQ(stats["seconds"]["bvh"], 0);
+}
+
+TEST(Effects, SsaoBesideAoIsItsOwnLayer) {
+  const TemporaryFolder folder;
+  const Image both = render_with_nook(
+      folder, write_small_scene(folder, "both.toml", renderer + "[[effect]]\ntype = \"ssao\"\n[[effect]]\ntype = \"ao\"\n"));
+  const auto ao = plane(render_with_nook(folder, write_small_scene(folder, "ao.toml", renderer)), "R");
+  const auto ssao = plane(render_with_nook(folder, write_small_scene(folder, "ssao.toml", "[renderer]\nrealtime = true\ntype = \"ssao\"\n")), "R");
+  EXPECT_EQ(plane(both, "R"), ao);
+  EXPECT_EQ(plane(both, "ssao.R"), ssao);
+}
+
 TEST(Effects, PlanOpensNoDevice) {
   const TemporaryFolder folder;
   const auto scene = write_small_scene(folder, "scene.toml", renderer);
