@@ -119,6 +119,23 @@ BuildOptions& BuildOptions::define(const std::string& name, long value) {
   return *this;
 }
 
+BuiltProgram& BuiltProgram::operator=(BuiltProgram&& other) noexcept {
+  std::swap(program, other.program);
+  std::swap(from_cache, other.from_cache);
+  std::swap(seconds, other.seconds);
+  std::swap(cache_entry, other.cache_entry);
+  return *this;
+}
+
+BuiltProgram::~BuiltProgram() {
+  if (!program || cache_entry.empty()) return;
+  try {
+    write_entry(cache_entry, binary_of(program));
+  } catch (const std::exception&) {
+    // The next run compiles again.
+  }
+}
+
 ClKernel BuiltProgram::kernel(const char* name) const {
   cl_int code = CL_SUCCESS;
   ClKernel made(opencl().clCreateKernel(program.get(), name, &code));
@@ -147,7 +164,7 @@ BuiltProgram build_program(const Device& device, const std::string& source, cons
   built.from_cache = bool(built.program);
   if (!built.from_cache) {
     built.program = from_source(device, source, all_options);
-    if (!dir.empty()) write_entry(file, binary_of(built.program));
+    built.cache_entry = file;
   }
   built.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return built;
