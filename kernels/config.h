@@ -1,4 +1,4 @@
-// Every macro a kernel may be specialised by: its values, its default, its check. The host sets them (device/kernel_config).
+// Every macro a kernel may be specialised by: its values, its default, its check. The host sets them (render/kernel_plan).
 // Structural choices are macros, continuous values (radius, exponent) are kernel arguments. Bodies say `if (MACRO)`, so
 // that a branch that is off is still parsed.
 #ifndef NOOK_CONFIG_H

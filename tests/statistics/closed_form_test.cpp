@@ -1,5 +1,5 @@
 // The estimators against closed forms: mean within 3.5 standard errors, variance within 4 of its own, at 2^20
-// independent samples; point sets by independent replicates.
+// independent samples; point sets by independent replicates, within 4.5.
 #include <gtest/gtest.h>
 
 #include <cmath>
