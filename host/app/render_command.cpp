@@ -78,6 +78,21 @@ void check_memory(const Scene& scene, std::size_t aovs) {
                      "render it in pieces with --crop");
 }
 
+// Options that this scene cannot honour, and those that exclude one another; before anything is loaded.
+void check_combinations(const Scene& scene, const RenderOptions& options) {
+  const auto any = [&](auto kind) { return std::any_of(scene.effects.begin(), scene.effects.end(), [&](const Effect& e) { return kind(e.kind); }); };
+  const bool sampled = any(is_traced);
+  const bool screen_space = any([](EffectKind kind) { return kind == EffectKind::ssao; });
+  const bool shard = options.checkpoints.share().has_value();
+  const bool kept = shard || options.checkpoints.resume || !options.checkpoints.file(options.scene.scene, options.output).empty();
+  const auto fail = [](const char* why) { throw Error(ExitCode::usage, why); };
+  if (!sampled && options.target.any()) fail("--error, --time: the scene has no effect with samples");
+  if (!sampled && kept) fail("--checkpoint, --resume, --shard: the scene has no effect with samples to keep");
+  if (screen_space && shard) fail("--shard: a screen-space layer cannot be merged; render it with a scene of its own");
+  if (options.target.error && kept) fail("--error: a render to an error is not kept in parts (--checkpoint, --shard)");
+  if (options.target.seconds && shard) fail("--time: a share of a picture (--shard) has a fixed number of samples");
+}
+
 std::string distance_text(const EffectPlan& effect) {
   return std::isinf(effect.max_distance) ? "unlimited" : fmt::format("{:.6g} world units", effect.max_distance);
 }
@@ -172,17 +187,15 @@ int render(const RenderOptions& options) {
   const ProgressMode asked = parse_progress(options.progress);
   const ProgressMode mode = options.quiet ? ProgressMode::none : asked;
   if (!options.stats.empty()) check_writable(options.stats);
+  check_combinations(scene, options);
   check_memory(scene, options.aovs.size());
   if (is_ssao_alone(scene)) {
-    if (options.target.any()) throw Error(ExitCode::usage, "--error, --time: the scene has no effect with samples");
     const fs::path file = options.output.empty() ? fs::path(options.scene.scene).replace_extension(".exr") : options.output;
     check_writable(file);
     return render_ssao(scene, {options.scene.scene, file, options.stats, aovs, options.frames, options.device.threads, options.png, options.quiet});
   }
   const std::optional<Share> shard = options.checkpoints.share();
   CheckpointWriter writer(options.checkpoints.file(options.scene.scene, options.output), options.checkpoints.every);
-  if (options.target.error && !writer.file().empty()) throw Error(ExitCode::usage, "--error: a render to an error is not kept in parts (--checkpoint, --shard)");
-  if (options.target.seconds && shard) throw Error(ExitCode::usage, "--time: a share of a picture (--shard) has a fixed number of samples");
   if (!writer.file().empty()) check_writable(writer.file());
   const fs::path output = shard                   ? writer.file()
                           : options.output.empty() ? fs::path(options.scene.scene).replace_extension(".exr")
@@ -208,13 +221,11 @@ int render(const RenderOptions& options) {
   record.scene_hash = scene_hash(scene);
   record.mesh_hash = mesh_hash(mesh);
 
-  if (options.target.any() && record.plan.effects.empty()) throw Error(ExitCode::usage, "--error, --time: the scene has no effect with samples");
   if (options.target.dry_run) {
     print_forecast(tracer, record.plan, options.target);
     return 0;
   }
   if (record.plan.effects.empty()) {
-    if (shard) throw Error(ExitCode::usage, "--shard: the scene has no effect with samples to share");
     Image image{record.plan.window.width(), record.plan.window.height(), surface_under_pixels(tracer, record.plan, aovs), {}};
     record.seconds.render = watch.lap();
     record.counts.camera_rays = tracer.counters().camera_rays;

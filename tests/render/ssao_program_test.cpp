@@ -70,6 +70,17 @@ TEST_F(SsaoProgram, WritesTheSameFilesAsOffline) {
   EXPECT_TRUE(std::filesystem::exists(folder / "scene.png"));
 }
 
+// Nothing of SSAO is kept in parts: to ignore the wish would leave a picture where a part was asked for.
+TEST_F(SsaoProgram, RefusesCheckpointsAndShards) {
+  write_scene("realtime = true\ntype = \"ssao\"\n");
+  for (const char* option : {"--checkpoint", "--shard 1/2 -o"}) {
+    const std::filesystem::path part = folder / "part.nook";
+    EXPECT_EQ(render("NOOK_OSMESA=", option + (" " + part.string())), 2);
+    EXPECT_NE(test::read_bytes(folder / "stderr").find("no effect with samples"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(part));
+  }
+}
+
 TEST_F(SsaoProgram, WithoutOsMesaOneLineAndExitCode4) {
   write_scene("realtime = true\ntype = \"ssao\"\n");
   EXPECT_EQ(render("NOOK_OSMESA=libnook-no-such-library.so"), 4);
