@@ -63,6 +63,7 @@ std::vector<VertexProperty> properties_of(const EffectPlan& effect, const Film& 
 
 int bake(const BakeOptions& options) {
   const Scene scene = bake_scene(options);
+  keep_inputs(scene, options.output);
   const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene));
   const Plan plan = make_plan(scene, mesh);
   for (const EffectPlan& effect : plan.effects)

@@ -1,6 +1,8 @@
 // nook compare A.exr B.exr: how far an image is from a reference, with idiff's thresholds and exit codes.
 #include <fmt/format.h>
 
+#include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <optional>
 
@@ -44,12 +46,15 @@ int run(const Options& options) {
 
 void add_limit(CLI::App& command, const std::string& name, const std::string& verdict,
                DifferenceLimit& limit) {
+  const auto number = [](const std::string& text) { return std::isnan(std::strtod(text.c_str(), nullptr)) ? "'nan' is not a number" : ""; };
   command.add_option("--" + name, limit.each, verdict + " if a value differs by more than this")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(number);
   command.add_option("--" + name + "-percent", limit.percent, "Accept this many percent of such pixels")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 100.0));
-  command.add_option("--hard-" + name, limit.hard, verdict + " if any value differs by more than this");
+      ->check(CLI::Range(0.0, 100.0))
+      ->check(number);
+  command.add_option("--hard-" + name, limit.hard, verdict + " if any value differs by more than this")->check(number);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ bool check_opencl_devices() {
   }
   say(true, "the OpenCL loader is there");
   const auto devices = list_devices();
-  if (devices.empty()) return say(false, "no OpenCL device: no driver is registered in /etc/OpenCL/vendors", "apt-get install pocl-opencl-icd");
+  if (devices.empty()) return say(false, "no OpenCL device: no driver is registered in /etc/OpenCL/vendors, or PoCL can write no cache (see below)", "apt-get install pocl-opencl-icd");
   for (const DeviceInfo& d : devices) say(true, fmt::format("OpenCL device {}:{} {} ({}, {})", d.platform_index, d.device_index, d.name, d.platform_name, d.driver));
   return true;
 }

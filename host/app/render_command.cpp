@@ -186,11 +186,15 @@ int render(const RenderOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const ProgressMode asked = parse_progress(options.progress);
   const ProgressMode mode = options.quiet ? ProgressMode::none : asked;
-  if (!options.stats.empty()) check_writable(options.stats);
+  if (!options.stats.empty()) {
+    keep_inputs(scene, options.stats);
+    check_writable(options.stats);
+  }
   check_combinations(scene, options);
   check_memory(scene, options.aovs.size());
   if (is_ssao_alone(scene)) {
     const fs::path file = options.output.empty() ? fs::path(options.scene.scene).replace_extension(".exr") : options.output;
+    keep_inputs(scene, file);
     check_writable(file);
     return render_ssao(scene, {options.scene.scene, file, options.stats, aovs, options.frames, options.device.threads, options.png, options.quiet});
   }
@@ -200,6 +204,7 @@ int render(const RenderOptions& options) {
   const fs::path output = shard                   ? writer.file()
                           : options.output.empty() ? fs::path(options.scene.scene).replace_extension(".exr")
                                                    : options.output;
+  keep_inputs(scene, output);
   check_writable(output);
 
   Stopwatch whole, watch;

@@ -76,7 +76,7 @@ void SceneOptions::add_to(CLI::App& command) {
   command.add_option("--exponent", exponent, "RO: Phong exponent, 0 to 1e7")->check(CLI::Range(0.0, 1e7))->envname("NOOK_EXPONENT");
   command.add_option("--method", method, "SSAO: point, gtao, march")->envname("NOOK_METHOD");
   command.add_option("--quality", quality, "SSAO: draft, real-time, accurate")->envname("NOOK_QUALITY");
-  command.add_option("--radius", radius, "SSAO: world units; 0: half the bounding radius")->check(CLI::NonNegativeNumber)->envname("NOOK_RADIUS");
+  command.add_option("--radius", radius, "SSAO: world units, or auto: half the bounding radius")->envname("NOOK_RADIUS");
   command.add_option("--seed", seed, "Seed of all random numbers")->envname("NOOK_SEED");
   command.add_option("--size", size, "Image size, e.g. 800x600")->envname("NOOK_SIZE");
   command.add_option("--crop", crop, "Render pixels x0 <= x < x1, y0 <= y < y1 only: x0,x1,y0,y1")->delimiter(',')->expected(4)->envname("NOOK_CROP");
@@ -97,7 +97,12 @@ Scene SceneOptions::load() const {
     }
     if (method) effect.ssao.method = chosen<SsaoSettings::Method>("--method", *method, ssao_method_names);
     if (quality) effect.ssao.quality = chosen<SsaoSettings::Quality>("--quality", *quality, ssao_quality_names);
-    if (radius) effect.ssao.radius = *radius;
+    if (radius) {
+      const auto limit = parse_distance_limit(*radius);
+      if (!limit || limit->kind == DistanceLimit::Kind::none)
+        throw Error(ExitCode::usage, fmt::format("--radius: '{}' is not auto or a distance of at least 0", *radius));
+      effect.ssao.radius = limit->kind == DistanceLimit::Kind::value ? limit->value : 0;
+    }
     if (max_distance) {
       const auto limit = parse_distance_limit(*max_distance);
       if (!limit) throw Error(ExitCode::usage, fmt::format("--max-distance: '{}' is not auto, none or a distance of at least 0", *max_distance));
@@ -110,6 +115,17 @@ Scene SceneOptions::load() const {
   if (!crop.empty()) loaded.crop = PixelRect{crop[0], crop[2], crop[1], crop[3]};
   validate(loaded);
   return loaded;
+}
+
+void keep_inputs(const Scene& scene, const std::filesystem::path& output) {
+  const auto refuse = [&](const std::filesystem::path& input) {
+    std::error_code code;
+    if (std::filesystem::equivalent(input, output, code))
+      throw Error(ExitCode::output, fmt::format("{}: is the scene's own file, it would be overwritten", output.string()));
+  };
+  refuse(scene.file);
+  refuse(scene.mesh_file);
+  for (const Instance& instance : scene.instances) refuse(instance.mesh_file);
 }
 
 void DeviceOptions::add_to(CLI::App& command) {

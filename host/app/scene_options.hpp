@@ -16,8 +16,8 @@ namespace nook {
 struct SceneOptions {
   std::filesystem::path scene;
   std::optional<std::uint32_t> spp, directions, seed;
-  std::optional<std::string> sampling, sampler, max_distance, size, method, quality;
-  std::optional<float> exponent, radius;
+  std::optional<std::string> sampling, sampler, max_distance, size, method, quality, radius;
+  std::optional<float> exponent;
   std::vector<int> crop;
 
   /// Adds SCENE and the options to a subcommand.
@@ -25,6 +25,9 @@ struct SceneOptions {
   /// Loads the scene (TOML, or a bare OBJ), applies the overrides, validates. Throws Error(usage) or Error(scene).
   Scene load() const;
 };
+
+/// Throws Error(output) if `output` is the scene file or one of its meshes: a slip of the hand that would cost the user's work.
+void keep_inputs(const Scene& scene, const std::filesystem::path& output);
 
 /// --device and --threads.
 struct DeviceOptions {

@@ -33,6 +33,10 @@ void TargetOptions::add_to(CLI::App& command) {
 }
 
 void TargetOptions::check() const {
+  // CLI::Range lets it pass.
+  const std::pair<const char*, double> given[] = {{"--error", error.value_or(1)}, {"--time", seconds.value_or(1)}, {"--confidence", target.confidence}};
+  for (const auto& [flag, value] : given)
+    if (std::isnan(value)) throw Error(ExitCode::usage, fmt::format("{}: 'nan' is not a number", flag));
   if (dry_run && !error) throw Error(ExitCode::usage, "--dry-run: needs --error");
   if (target.min_spp > target.max_spp)
     throw Error(ExitCode::usage, fmt::format("--min-spp: {} is above --max-spp, {}", target.min_spp, target.max_spp));

@@ -126,7 +126,7 @@ void validate(const Scene& scene) {
   }
   if (scene.crop) {
     const PixelRect& c = *scene.crop;
-    if (c.x0 >= c.x1 || c.y0 >= c.y1 || c.x1 > scene.width || c.y1 > scene.height)
+    if (c.x0 < 0 || c.y0 < 0 || c.x0 >= c.x1 || c.y0 >= c.y1 || c.x1 > scene.width || c.y1 > scene.height)
       throw Error(ExitCode::scene, fmt::format("{}: the crop {},{},{},{} (x0,x1,y0,y1) is empty or outside the {}x{} film", file, c.x0,
                                                c.x1, c.y0, c.y1, scene.width, scene.height));
   }
