@@ -81,6 +81,7 @@ int bake(const BakeOptions& options) {
     for (VertexProperty& property : properties_of(plan.effects[e], films[e])) properties.push_back(std::move(property));
   write_ply(options.output, mesh, normals, properties);
   fmt::print(stderr, "{}: {} vertices, {} directions each\n", options.output.string(), mesh.positions.size(), plan.directions);
+  tracer.store_programs();
   return 0;
 }
 

@@ -38,7 +38,8 @@ bool check_opencl_devices() {
 bool check_kernels() {
   try {
     const Device device(select_device(""));
-    const BuiltProgram program = build_program(device, kernel_source("occlusion.cl"), BuildOptions());
+    BuiltProgram program = build_program(device, kernel_source("occlusion.cl"), BuildOptions());
+    program.store();
     return say(true, fmt::format("the kernels build ({:.2f} s{})", program.seconds, program.from_cache ? ", from the cache" : ""));
   } catch (const Error& e) {
     return say(false, e.what());

@@ -66,6 +66,7 @@ int probe(const ProbeOptions& options) {
     fmt::print("{:.9g},{:.9g},{}\n", film.value(i), std::sqrt(film.variance(i)), film.replicates[i]);
   if (tracer.counters().rejected)
     fmt::print(stderr, "warning: {} samples were not finite and were left out\n", tracer.counters().rejected);
+  tracer.store_programs();
   return 0;
 }
 

@@ -228,6 +228,7 @@ int render(const RenderOptions& options) {
 
   if (options.target.dry_run) {
     print_forecast(tracer, record.plan, options.target);
+    tracer.store_programs();
     return 0;
   }
   if (record.plan.effects.empty()) {
@@ -238,6 +239,7 @@ int render(const RenderOptions& options) {
     record.kernels_built = tracer.programs();
     add_ssao(scene, mesh, options, record, image);
     finish(options, output, image, watch, whole, record);
+    tracer.store_programs();
     return 0;
   }
 
@@ -285,6 +287,7 @@ int render(const RenderOptions& options) {
     add_ssao(scene, mesh, options, record, image);
   }
   finish(options, output, image, watch, whole, record);
+  tracer.store_programs();
   return record.error ? announce_error(*record.error, options.quiet) : 0;
 }
 

@@ -119,18 +119,11 @@ BuildOptions& BuildOptions::define(const std::string& name, long value) {
   return *this;
 }
 
-BuiltProgram& BuiltProgram::operator=(BuiltProgram&& other) noexcept {
-  std::swap(program, other.program);
-  std::swap(from_cache, other.from_cache);
-  std::swap(seconds, other.seconds);
-  std::swap(cache_entry, other.cache_entry);
-  return *this;
-}
-
-BuiltProgram::~BuiltProgram() {
+void BuiltProgram::store() noexcept {
   if (!program || cache_entry.empty()) return;
   try {
     write_entry(cache_entry, binary_of(program));
+    cache_entry.clear();
   } catch (const std::exception&) {
     // The next run compiles again.
   }

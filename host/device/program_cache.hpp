@@ -17,22 +17,19 @@ class BuildOptions {
   std::string text_;
 };
 
-/// A built program and where it came from. One that was compiled goes to the disk cache when it is destroyed: asking PoCL
-/// for a binary compiles every kernel once more (0.5 s each), which no user should wait for before the picture.
-class BuiltProgram {
- public:
-  BuiltProgram() = default;
-  BuiltProgram(BuiltProgram&&) noexcept = default;
-  BuiltProgram& operator=(BuiltProgram&& other) noexcept;
-  ~BuiltProgram();
+/// A built program and where it came from.
+struct BuiltProgram {
+  ClProgram program;
+  bool from_cache = false;
+  double seconds = 0;
+  std::filesystem::path cache_entry;  ///< where store() writes it; empty if it need not be stored
 
   /// Throws Error(device) if the program has no kernel of this name.
   ClKernel kernel(const char* name) const;
 
-  ClProgram program;
-  bool from_cache = false;
-  double seconds = 0;
-  std::filesystem::path cache_entry;  ///< where it will be stored; empty if it need not be
+  /// Writes a program that was compiled to the disk cache. Apart from build_program, because asking PoCL for a binary
+  /// compiles every kernel once more (0.5 s each), which no user should wait for before the picture. A failure only costs the next run.
+  void store() noexcept;
 };
 
 /// The folder of cached program binaries: NOOK_CACHE_DIR, else $XDG_CACHE_HOME/nook, else ~/.cache/nook; empty if none is known.

@@ -87,6 +87,10 @@ class PathTracer {
   const RenderCounters& counters() const { return counters_; }
   double build_seconds() const { return build_seconds_; }
   bool all_from_cache() const { return all_from_cache_; }
+  /// Keeps the programs that were compiled in the disk cache; called when the work is done, for it takes time.
+  void store_programs() {
+    for (auto& [key, program] : programs_) program.store();
+  }
   std::size_t programs() const { return programs_.size(); }
 
  private:
