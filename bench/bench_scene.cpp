@@ -24,9 +24,11 @@ void add_box(TriangleMesh& mesh, const vec3& lo, const vec3& hi, float turn) {
   const vec3 center = (lo + hi) * 0.5f;
   const auto corner = [&](int i) {
     const vec3 p = vec3(i & 1 ? hi.x : lo.x, i & 2 ? hi.y : lo.y, i & 4 ? hi.z : lo.z) - center;
-    return center + vec3(std::cos(turn) * p.x - std::sin(turn) * p.z, p.y, std::sin(turn) * p.x + std::cos(turn) * p.z);
+    return center + vec3(std::cos(turn) * p.x - std::sin(turn) * p.z, p.y,
+                         std::sin(turn) * p.x + std::cos(turn) * p.z);
   };
-  const int faces[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
+  const int faces[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1},
+                           {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
   for (const auto& f : faces) add_quad(mesh, corner(f[0]), corner(f[1]), corner(f[2]), corner(f[3]));
 }
 
@@ -53,7 +55,8 @@ void add_knot(TriangleMesh& mesh, const vec3& center, float size, int p, int q, 
     const dvec3 c = curve(s), tangent = glm::normalize(curve(s + 1e-4) - c);
     const dvec3 u = glm::normalize(glm::cross(tangent, dvec3(0.1, 1, 0.2))), v = glm::cross(tangent, u);
     const double phi = 2 * M_PI * t;
-    return vec3(dvec3(center) + double(size) * (c + double(radius) * (std::cos(phi) * u + std::sin(phi) * v)));
+    return vec3(dvec3(center) +
+                double(size) * (c + double(radius) * (std::cos(phi) * u + std::sin(phi) * v)));
   });
 }
 
@@ -82,7 +85,8 @@ BenchScene bunny() {
   for (const vec3& p : mesh.positions) box.add(p);
   const vec3 c = box.center();
   const float floor = box.lo.y + 0.02f * (box.hi.y - box.lo.y), r = 4 * box.bounding_radius();
-  add_quad(mesh, {c.x - r, floor, c.z - r}, {c.x - r, floor, c.z + r}, {c.x + r, floor, c.z + r}, {c.x + r, floor, c.z - r});
+  add_quad(mesh, {c.x - r, floor, c.z - r}, {c.x - r, floor, c.z + r}, {c.x + r, floor, c.z + r},
+           {c.x + r, floor, c.z - r});
   const float d = box.bounding_radius();
   return {"bunny", std::move(mesh), c + vec3(0.5f, 0.9f, 2.2f) * d, c - vec3(0, 0.2f, 0) * d, 40};
 }
@@ -99,7 +103,8 @@ BenchScene room() {
   std::mt19937 random(7);
   const auto uniform = [&](float lo, float hi) { return lo + (hi - lo) * float(random() >> 8) * 0x1p-24f; };
   for (int i = 0; i < 40; ++i) {
-    const float x = uniform(-3.6f, 3.6f), z = uniform(-3.6f, 2.0f), w = uniform(0.1f, 0.4f), h = uniform(0.2f, 1.0f);
+    const float x = uniform(-3.6f, 3.6f), z = uniform(-3.6f, 2.0f), w = uniform(0.1f, 0.4f),
+                h = uniform(0.2f, 1.0f);
     add_box(mesh, {x - w, 0, z - w}, {x + w, h, z + w}, uniform(0, 3));
     if (i % 2) {
       add_knot(mesh, {x, h + 0.35f, z}, uniform(0.2f, 0.4f), 2 + i % 3, 3 + i % 4, 0.12f, 600, 36);
@@ -107,7 +112,8 @@ BenchScene room() {
       const float r = uniform(0.1f, 0.3f);
       add_surface(mesh, 40, 80, [=](double u, double v) {
         const double s = std::sin(M_PI * u);
-        return vec3(x + r * s * std::cos(2 * M_PI * v), h + r + r * std::cos(M_PI * u), z + r * s * std::sin(2 * M_PI * v));
+        return vec3(x + r * s * std::cos(2 * M_PI * v), h + r + r * std::cos(M_PI * u),
+                    z + r * s * std::sin(2 * M_PI * v));
       });
     }
   }
@@ -122,7 +128,8 @@ BenchScene cornell() {
   add_quad(mesh, {-1, 0, -1}, {1, 0, -1}, {1, 2, -1}, {-1, 2, -1});
   add_quad(mesh, {-1, 0, -1}, {-1, 2, -1}, {-1, 2, 1}, {-1, 0, 1});
   add_quad(mesh, {1, 0, -1}, {1, 0, 1}, {1, 2, 1}, {1, 2, -1});
-  add_quad(mesh, {-0.25f, 1.99f, -0.25f}, {0.25f, 1.99f, -0.25f}, {0.25f, 1.99f, 0.25f}, {-0.25f, 1.99f, 0.25f});
+  add_quad(mesh, {-0.25f, 1.99f, -0.25f}, {0.25f, 1.99f, -0.25f}, {0.25f, 1.99f, 0.25f},
+           {-0.25f, 1.99f, 0.25f});
   add_box(mesh, {-0.65f, 0, -0.6f}, {-0.05f, 1.2f, 0}, 0.3f);
   add_box(mesh, {0.05f, 0, 0.05f}, {0.65f, 0.6f, 0.65f}, -0.3f);
   return {"cornell", std::move(mesh), {0, 1, 3.6f}, {0, 1, 0}, 40};
@@ -152,7 +159,8 @@ BenchScene bench_scene(const std::string& name) {
     return scene;
   }
   if (std::filesystem::exists(name)) return from_file(std::filesystem::path(name).stem(), name);
-  throw Error(ExitCode::usage, "unknown scene '" + name + "': bunny, room, cornell, spaceship or an OBJ file");
+  throw Error(ExitCode::usage,
+              "unknown scene '" + name + "': bunny, room, cornell, spaceship or an OBJ file");
 }
 
 }  // namespace nook::bench

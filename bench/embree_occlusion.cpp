@@ -10,7 +10,7 @@
 namespace nook::bench {
 namespace {
 
-constexpr unsigned chunk = 512;      // points a thread takes at once
+constexpr unsigned chunk = 512;        // points a thread takes at once
 constexpr unsigned stream_rays = 256;  // rays of one 1M or Np call
 
 /// Calls work(begin, end) for chunks of [0, count) on `threads` threads; seconds until the last is done.
@@ -18,7 +18,8 @@ template <class Work>
 double on_threads(std::size_t count, unsigned threads, const Work& work) {
   std::atomic<std::size_t> next{0};
   const auto loop = [&] {
-    for (std::size_t begin; (begin = next.fetch_add(chunk)) < count;) work(begin, std::min(count, begin + chunk));
+    for (std::size_t begin; (begin = next.fetch_add(chunk)) < count;)
+      work(begin, std::min(count, begin + chunk));
   };
   const Stopwatch watch;
   std::vector<std::thread> others;
@@ -75,16 +76,20 @@ class Tracer {
       RTCRayNp rays = pointers();
       rtcOccludedNp(scene_, &context_, &rays, size_);
     }
-    if constexpr (interface_ == Interface::packet4) rtcOccluded4(valid(), scene_, &context_, reinterpret_cast<RTCRay4*>(&soa_));
-    if constexpr (interface_ == Interface::packet8) rtcOccluded8(valid(), scene_, &context_, reinterpret_cast<RTCRay8*>(&soa_));
+    if constexpr (interface_ == Interface::packet4)
+      rtcOccluded4(valid(), scene_, &context_, reinterpret_cast<RTCRay4*>(&soa_));
+    if constexpr (interface_ == Interface::packet8)
+      rtcOccluded8(valid(), scene_, &context_, reinterpret_cast<RTCRay8*>(&soa_));
     if constexpr (interface_ == Interface::packet16)
       rtcOccluded16(valid(), scene_, &context_, reinterpret_cast<RTCRay16*>(&soa_));
   }
 
   void closest() {
-    for (unsigned i = 0; i < size_; ++i) (single ? aos_[i].hit.geomID : soa_.geomID[i]) = RTC_INVALID_GEOMETRY_ID;
+    for (unsigned i = 0; i < size_; ++i)
+      (single ? aos_[i].hit.geomID : soa_.geomID[i]) = RTC_INVALID_GEOMETRY_ID;
     if constexpr (interface_ == Interface::one) rtcIntersect1(scene_, &context_, &aos_[0]);
-    if constexpr (interface_ == Interface::stream_aos) rtcIntersect1M(scene_, &context_, aos_, size_, sizeof(aos_[0]));
+    if constexpr (interface_ == Interface::stream_aos)
+      rtcIntersect1M(scene_, &context_, aos_, size_, sizeof(aos_[0]));
     if constexpr (interface_ == Interface::stream_soa) {
       RTCRayHitNp rays = {};
       rays.ray = pointers();
@@ -115,7 +120,8 @@ class Tracer {
 
   // RTCRayHit4/8/16's layout, for any width.
   struct alignas(64) Soa {
-    float org_x[width], org_y[width], org_z[width], tnear[width], dir_x[width], dir_y[width], dir_z[width], time[width];
+    float org_x[width], org_y[width], org_z[width], tnear[width], dir_x[width], dir_y[width], dir_z[width],
+        time[width];
     float tfar[width];
     unsigned mask[width], id[width], flags[width];
     float ng_x[width], ng_y[width], ng_z[width], u[width], v[width];
@@ -144,8 +150,8 @@ class Tracer {
 };
 
 template <Interface interface_>
-double shared(bool coherent, const EmbreeScene& scene, const std::vector<RayPoint>& points, const DirectionSets& sets,
-              float limit, unsigned threads, std::vector<std::uint32_t>& bits) {
+double shared(bool coherent, const EmbreeScene& scene, const std::vector<RayPoint>& points,
+              const DirectionSets& sets, float limit, unsigned threads, std::vector<std::uint32_t>& bits) {
   bits.assign(points.size(), 0);
   return on_threads(points.size(), threads, [&](std::size_t begin, std::size_t end) {
     Tracer<interface_> tracer(scene.get(), coherent);
@@ -175,8 +181,8 @@ double shared(bool coherent, const EmbreeScene& scene, const std::vector<RayPoin
 }
 
 template <Interface interface_>
-double own(bool coherent, const EmbreeScene& scene, const std::vector<RayPoint>& points, const DirectionSets& sets,
-           float limit, unsigned threads, std::vector<std::uint32_t>& bits) {
+double own(bool coherent, const EmbreeScene& scene, const std::vector<RayPoint>& points,
+           const DirectionSets& sets, float limit, unsigned threads, std::vector<std::uint32_t>& bits) {
   bits.assign((points.size() + 31) / 32, 0);
   return on_threads(points.size(), threads, [&](std::size_t begin, std::size_t end) {
     Tracer<interface_> tracer(scene.get(), coherent);
@@ -188,7 +194,8 @@ double own(bool coherent, const EmbreeScene& scene, const std::vector<RayPoint>&
       tracer.clear();
     };
     for (std::size_t i = begin; i < end; ++i) {
-      const vec3 d = to_world(sets.directions[set_of_point(unsigned(i)) * sets.size], tangents(points[i].axis), points[i].axis);
+      const vec3 d = to_world(sets.directions[set_of_point(unsigned(i)) * sets.size],
+                              tangents(points[i].axis), points[i].axis);
       const vec3& n = points[i].normal;
       if (!(d.x * n.x + d.y * n.y + d.z * n.z > 0)) continue;
       whose[tracer.size()] = std::uint32_t(i);

@@ -16,8 +16,8 @@ EmbreeScene::EmbreeScene(const TriangleMesh& mesh, bool robust, unsigned threads
   rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_MEDIUM);
   const auto start = std::chrono::steady_clock::now();
   RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-  void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(vec3),
-                                            mesh.positions.size());
+  void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                            sizeof(vec3), mesh.positions.size());
   std::memcpy(positions, mesh.positions.data(), mesh.positions.size() * sizeof(vec3));
   void* triangles = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                             3 * sizeof(std::uint32_t), mesh.triangles.size());

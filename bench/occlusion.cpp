@@ -49,7 +49,8 @@ std::uint64_t differing_bits(const std::vector<std::uint32_t>& a, const std::vec
 
 std::uint64_t differing_distances(const std::vector<float>& a, const std::vector<float>& b) {
   std::uint64_t n = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) n += !(a[i] == b[i] || std::abs(a[i] - b[i]) <= 1e-4f * std::abs(b[i]));
+  for (std::size_t i = 0; i < a.size(); ++i)
+    n += !(a[i] == b[i] || std::abs(a[i] - b[i]) <= 1e-4f * std::abs(b[i]));
   return n;
 }
 
@@ -59,10 +60,13 @@ void run(const Settings& s) {
   const BenchScene scene = bench_scene(s.scene);
   const EmbreeScene fast(scene.mesh, false, s.threads), robust(scene.mesh, true, s.threads);
   const Bvh bvh = build_bvh(scene.mesh, {.threads = s.threads});
-  std::printf("%s: %zu triangles; tree %.2f s + collapse %.2f s, Embree %.2f s; %.1f B and %.2f SAH, %.1f triangles a leaf\n",
-              s.scene.c_str(), scene.mesh.triangles.size(), bvh.statistics.build_seconds, bvh.statistics.collapse_seconds,
-              fast.commit_seconds(), double(bvh.bytes()) / double(scene.mesh.triangles.size()), bvh.statistics.sah_cost,
-              bvh.statistics.triangles_per_leaf);
+  std::printf(
+      "%s: %zu triangles; tree %.2f s + collapse %.2f s, Embree %.2f s; %.1f B and %.2f SAH, %.1f triangles "
+      "a leaf\n",
+      s.scene.c_str(), scene.mesh.triangles.size(), bvh.statistics.build_seconds,
+      bvh.statistics.collapse_seconds, fast.commit_seconds(),
+      double(bvh.bytes()) / double(scene.mesh.triangles.size()), bvh.statistics.sah_cost,
+      bvh.statistics.triangles_per_leaf);
 
   const Device device(select_device(s.device));
   KernelRunner runner(device, bvh, build_options(s.defines));
@@ -87,7 +91,9 @@ void run(const Settings& s) {
   } else {
     runner.set_points(points, sets);
     const bool own = s.rays == "own";
-    work.ours = [&, own](KernelRunner& r) { return own ? r.own(s.max_distance, our_bits) : r.shared(s.max_distance, our_bits); };
+    work.ours = [&, own](KernelRunner& r) {
+      return own ? r.own(s.max_distance, our_bits) : r.shared(s.max_distance, our_bits);
+    };
     work.embree = [&, own](const EmbreeVariant& v, const EmbreeScene& e) {
       return (own ? v.own : v.shared)(e, points, sets, s.max_distance, s.threads, embree_bits);
     };
@@ -99,7 +105,8 @@ void run(const Settings& s) {
   std::vector<double> ours, embree, ratios;
   if (s.ours_only) {
     for (unsigned i = 0; i < s.rounds; ++i) ours.push_back(work.ours(runner));
-    std::printf("%s %s: %.2f Mrays/s (best %.2f)\n", s.scene.c_str(), s.rays.c_str(), double(work.rays) / median(ours) * 1e-6,
+    std::printf("%s %s: %.2f Mrays/s (best %.2f)\n", s.scene.c_str(), s.rays.c_str(),
+                double(work.rays) / median(ours) * 1e-6,
                 double(work.rays) / *std::min_element(ours.begin(), ours.end()) * 1e-6);
     return;
   }
@@ -128,17 +135,34 @@ void run(const Settings& s) {
   const std::uint64_t against_best = work.mismatches();
   work.embree(variants[0], robust);
   const std::uint64_t against_robust = work.mismatches();
-  const double our_rate = double(work.rays) / median(ours) * 1e-6, embree_rate = double(work.rays) / median(embree) * 1e-6;
-  std::printf("%s %s, %u threads: %.2f Mrays/s, Embree %.2f (%s): %.2fx [%.2f, %.2f]; %llu of %llu rays differ (%llu from robust)\n",
-              s.scene.c_str(), s.rays.c_str(), s.threads, our_rate, embree_rate, best.c_str(), median(ratios),
-              *std::min_element(ratios.begin(), ratios.end()), *std::max_element(ratios.begin(), ratios.end()),
-              (unsigned long long)against_best, (unsigned long long)work.rays, (unsigned long long)against_robust);
-  nlohmann::json record{{"bench", "occlusion"}, {"scene", s.scene}, {"rays", s.rays}, {"threads", s.threads},
-                        {"rounds", s.rounds}, {"triangles", scene.mesh.triangles.size()}, {"ray_count", work.rays},
-                        {"directions", s.directions}, {"clock", s.cpu_time ? "cpu" : "wall"}, {"mrays_per_s", our_rate}, {"embree_mrays_per_s", embree_rate},
-                        {"embree_variant", best}, {"embree_tried", tried}, {"ratio", median(ratios)}, {"ratios", ratios},
-                        {"mismatches", against_best}, {"mismatches_robust", against_robust}, {"defines", s.defines},
-                        {"device", device.info().name}, {"bytes_per_triangle", double(bvh.bytes()) / double(scene.mesh.triangles.size())},
+  const double our_rate = double(work.rays) / median(ours) * 1e-6,
+               embree_rate = double(work.rays) / median(embree) * 1e-6;
+  std::printf(
+      "%s %s, %u threads: %.2f Mrays/s, Embree %.2f (%s): %.2fx [%.2f, %.2f]; %llu of %llu rays differ (%llu "
+      "from robust)\n",
+      s.scene.c_str(), s.rays.c_str(), s.threads, our_rate, embree_rate, best.c_str(), median(ratios),
+      *std::min_element(ratios.begin(), ratios.end()), *std::max_element(ratios.begin(), ratios.end()),
+      (unsigned long long)against_best, (unsigned long long)work.rays, (unsigned long long)against_robust);
+  nlohmann::json record{{"bench", "occlusion"},
+                        {"scene", s.scene},
+                        {"rays", s.rays},
+                        {"threads", s.threads},
+                        {"rounds", s.rounds},
+                        {"triangles", scene.mesh.triangles.size()},
+                        {"ray_count", work.rays},
+                        {"directions", s.directions},
+                        {"clock", s.cpu_time ? "cpu" : "wall"},
+                        {"mrays_per_s", our_rate},
+                        {"embree_mrays_per_s", embree_rate},
+                        {"embree_variant", best},
+                        {"embree_tried", tried},
+                        {"ratio", median(ratios)},
+                        {"ratios", ratios},
+                        {"mismatches", against_best},
+                        {"mismatches_robust", against_robust},
+                        {"defines", s.defines},
+                        {"device", device.info().name},
+                        {"bytes_per_triangle", double(bvh.bytes()) / double(scene.mesh.triangles.size())},
                         {"build_seconds", bvh.statistics.build_seconds + bvh.statistics.collapse_seconds},
                         {"embree_build_seconds", fast.commit_seconds()}};
   if (s.rays == "ro") record["exponent"] = s.exponent;
@@ -150,21 +174,28 @@ void run(const Settings& s) {
 
 void add_occlusion(CLI::App& app) {
   auto s = std::make_shared<Settings>();
-  CLI::App* command = app.add_subcommand("occlusion", "Rays a second, ours against Embree's best variant, interleaved");
+  CLI::App* command =
+      app.add_subcommand("occlusion", "Rays a second, ours against Embree's best variant, interleaved");
   command->add_option("--scene", s->scene, "bunny, room, cornell, spaceship, or an OBJ file");
-  command->add_option("--rays", s->rays, "ao: directions from a point; ro: lobes; own: one direction from each of 16 points a pixel; primary")
+  command
+      ->add_option("--rays", s->rays,
+                   "ao: directions from a point; ro: lobes; own: one direction from each of 16 points a "
+                   "pixel; primary")
       ->check(CLI::IsMember({"ao", "ro", "own", "primary"}));
   command->add_option("--rounds", s->rounds)->check(CLI::Range(1, 100));
   command->add_option("--threads", s->threads)->check(CLI::Range(1, 1024));
-  command->add_option("--resolution", s->resolution, "pixels a side; own and primary use half")->check(CLI::Range(16, 8192));
+  command->add_option("--resolution", s->resolution, "pixels a side; own and primary use half")
+      ->check(CLI::Range(16, 8192));
   command->add_option("--directions", s->directions)->check(CLI::Range(1, 32));
   command->add_option("--exponent", s->exponent, "of the lobe");
   command->add_option("--max-distance", s->max_distance, "world units");
-  command->add_option("--against", s->against, "one Embree variant, as '1M incoherent fast', instead of the best of all");
+  command->add_option("--against", s->against,
+                      "one Embree variant, as '1M incoherent fast', instead of the best of all");
   command->add_option("-D", s->defines, "kernel macro, NAME=VALUE; repeatable");
   command->add_option("--device", s->device);
   command->add_option("--output", s->output, "JSON lines are appended here");
-  command->add_flag("--cpu-time", s->cpu_time, "measure the process's CPU time instead of the wall clock's: for a busy machine");
+  command->add_flag("--cpu-time", s->cpu_time,
+                    "measure the process's CPU time instead of the wall clock's: for a busy machine");
   command->add_flag("--ours-only", s->ours_only, "time our side alone");
   command->callback([s] { run(*s); });
 }

@@ -34,7 +34,8 @@ std::vector<vec3> camera_directions(const BenchScene& scene, unsigned resolution
       const unsigned x = tile % (resolution / 8) * 8 + i % 8, y = tile / (resolution / 8) * 8 + i / 8;
       for (unsigned s = 0; s < samples; ++s) {
         const double dx = (s + 0.5) / samples, dy = std::fmod(s * 0.6180339887498949 + 0.5, 1.0);
-        const float sx = float((2 * (x + dx) / resolution - 1) * half), sy = float((1 - 2 * (y + dy) / resolution) * half);
+        const float sx = float((2 * (x + dx) / resolution - 1) * half),
+                    sy = float((1 - 2 * (y + dy) / resolution) * half);
         result.push_back(glm::normalize(forward + sx * right + sy * up));
       }
     }
@@ -56,7 +57,8 @@ std::vector<RayPoint> visible_points(const BenchScene& scene, const EmbreeScene&
     rtcIntersect1(embree.get(), &context, &hit);
     if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
     const auto& t = scene.mesh.triangles[hit.hit.primID];
-    const dvec3 a = scene.mesh.positions[t[0]], b = scene.mesh.positions[t[1]], c = scene.mesh.positions[t[2]];
+    const dvec3 a = scene.mesh.positions[t[0]], b = scene.mesh.positions[t[1]],
+                c = scene.mesh.positions[t[2]];
     const double u = hit.hit.u, v = hit.hit.v;
     const dvec3 p = (1 - u - v) * a + u * b + v * c;
     dvec3 n = glm::cross(b - a, c - a);
@@ -64,7 +66,8 @@ std::vector<RayPoint> visible_points(const BenchScene& scene, const EmbreeScene&
     if (!(length > 0)) continue;
     n *= (glm::dot(n, dvec3(d)) > 0 ? -1 : 1) / length;
     // Off the surface by far more than its rounding error: no ray is in doubt about the surface it leaves.
-    const double offset = 2e-6 * (std::abs(p.x) + std::abs(p.y) + std::abs(p.z) + glm::length(p - dvec3(scene.eye)));
+    const double offset =
+        2e-6 * (std::abs(p.x) + std::abs(p.y) + std::abs(p.z) + glm::length(p - dvec3(scene.eye)));
     const dvec3 axis = mirrored ? dvec3(d) - 2 * glm::dot(dvec3(d), n) * n : n;
     points.push_back({vec3(p + offset * n), vec3(axis), vec3(n)});
   }

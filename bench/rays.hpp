@@ -8,8 +8,8 @@
 
 namespace nook::bench {
 
-/// A point that occlusion rays leave, and the axis their directions are drawn about: the normal (AO) or the mirrored
-/// view (RO). Directions under the normal's horizon are not traced.
+/// A point that occlusion rays leave, and the axis their directions are drawn about: the normal (AO) or the
+/// mirrored view (RO). Directions under the normal's horizon are not traced.
 struct RayPoint {
   vec3 origin;
   vec3 axis;
@@ -17,8 +17,8 @@ struct RayPoint {
 };
 
 /// Directions in the frame of the axis (z), in sets of `size`; point i uses set set_of_point(i).
-/// The same table feeds our kernel and Embree: both turn it into the point's frame by the same operations, so that
-/// both trace the same rays to the bit.
+/// The same table feeds our kernel and Embree: both turn it into the point's frame by the same operations, so
+/// that both trace the same rays to the bit.
 struct DirectionSets {
   static constexpr unsigned count = 256;
   unsigned size = 16;
@@ -34,7 +34,8 @@ inline unsigned set_of_point(unsigned i) {
   return (i ^ (i >> 16)) & (DirectionSets::count - 1);
 }
 
-/// Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 2017; the kernel computes the same operations.
+/// Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 2017; the kernel computes the same
+/// operations.
 inline std::array<vec3, 2> tangents(const vec3& n) {
   const float sign = std::copysign(1.0f, n.z), a = -1.0f / (sign + n.z), b = n.x * n.y * a;
   return {vec3(1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x), vec3(b, sign + n.y * n.y * a, -n.y)};

@@ -8,8 +8,8 @@ namespace nook::bench {
 
 double median(std::vector<double> values);
 
-/// Adds what every result says (date, processor, compiler) and appends one JSON line to `file`; nothing if it is empty.
-/// Throws Error(output).
+/// Adds what every result says (date, processor, compiler) and appends one JSON line to `file`; nothing if it
+/// is empty. Throws Error(output).
 void append_record(const std::string& file, nlohmann::json record);
 
 }  // namespace nook::bench

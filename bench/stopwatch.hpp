@@ -4,7 +4,8 @@
 
 namespace nook::bench {
 
-/// Seconds since construction: of the wall clock, or of all this process's threads together, which a busy machine disturbs less.
+/// Seconds since construction: of the wall clock, or of all this process's threads together, which a busy
+/// machine disturbs less.
 class Stopwatch {
  public:
   Stopwatch() : start_(now()) {}

@@ -1,4 +1,5 @@
-// nook bake SCENE --to vertices -o mesh.ply: AO and bent normals at the mesh's vertices, as properties of a PLY file.
+// nook bake SCENE --to vertices -o mesh.ply: AO and bent normals at the mesh's vertices, as properties of a
+// PLY file.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,10 +28,15 @@ struct BakeOptions {
 // The effects that need no viewer, all of a vertex's samples as directions from it.
 Scene bake_scene(const BakeOptions& options) {
   Scene scene = options.scene.load();
-  std::erase_if(scene.effects, [](const Effect& e) { return e.kind != EffectKind::ao && e.kind != EffectKind::bent; });
-  if (scene.effects.empty()) throw Error(ExitCode::scene, fmt::format("{}: a bake needs an effect of type ao or bent", scene.file.string()));
+  std::erase_if(scene.effects,
+                [](const Effect& e) { return e.kind != EffectKind::ao && e.kind != EffectKind::bent; });
+  if (scene.effects.empty())
+    throw Error(ExitCode::scene,
+                fmt::format("{}: a bake needs an effect of type ao or bent", scene.file.string()));
   const std::uint64_t directions = std::uint64_t(scene.spp) * scene.directions;
-  if (directions > 1u << 26) throw Error(ExitCode::scene, fmt::format("{}: spp x directions is {}, at most {} for a bake", scene.file.string(), directions, 1u << 26));
+  if (directions > 1u << 26)
+    throw Error(ExitCode::scene, fmt::format("{}: spp x directions is {}, at most {} for a bake",
+                                             scene.file.string(), directions, 1u << 26));
   scene.directions = std::uint32_t(directions);
   scene.spp = 1;
   scene.crop.reset();
@@ -55,7 +61,8 @@ std::vector<VertexProperty> properties_of(const EffectPlan& effect, const Film& 
     return made;
   }
   static constexpr const char* axes[] = {"_x", "_y", "_z"};
-  for (int axis = 0; axis < 3; ++axis) add(name + axes[axis], [&](std::size_t i) { return bent_cone(film, i).direction[axis]; });
+  for (int axis = 0; axis < 3; ++axis)
+    add(name + axes[axis], [&](std::size_t i) { return bent_cone(film, i).direction[axis]; });
   add(name + "_cone", [&](std::size_t i) { return bent_cone(film, i).half_angle; });
   add(name + "_ao", [&](std::size_t i) { return float(film.value(i)); });
   return made;
@@ -68,19 +75,24 @@ int bake(const BakeOptions& options) {
   const Plan plan = make_plan(scene, mesh);
   for (const EffectPlan& effect : plan.effects)
     if (effect.effect.view_space || effect.effect.side == Side::viewer)
-      throw Error(ExitCode::scene, fmt::format("{}: a bake has no viewer: {}", scene.file.string(), effect.effect.view_space ? "space = \"view\"" : "side = \"viewer\""));
+      throw Error(ExitCode::scene,
+                  fmt::format("{}: a bake has no viewer: {}", scene.file.string(),
+                              effect.effect.view_space ? "space = \"view\"" : "side = \"viewer\""));
   const Device device = options.device.open();
   const Bvh bvh = build_bvh(mesh);
   PathTracer tracer(device, plan, mesh, bvh);
   const std::vector<vec3> normals = position_normals(mesh);
   catch_interrupts();
-  const std::vector<Film> films = tracer.estimate_all(vertex_points(mesh, normals), plan.directions, [](auto&&...) { return !interrupted(); });
+  const std::vector<Film> films = tracer.estimate_all(vertex_points(mesh, normals), plan.directions,
+                                                      [](auto&&...) { return !interrupted(); });
   if (interrupted()) throw Error(ExitCode::interrupted, "interrupted; nothing was written");
   std::vector<VertexProperty> properties;
   for (std::size_t e = 0; e < films.size(); ++e)
-    for (VertexProperty& property : properties_of(plan.effects[e], films[e])) properties.push_back(std::move(property));
+    for (VertexProperty& property : properties_of(plan.effects[e], films[e]))
+      properties.push_back(std::move(property));
   write_ply(options.output, mesh, normals, properties);
-  fmt::print(stderr, "{}: {} vertices, {} directions each\n", options.output.string(), mesh.positions.size(), plan.directions);
+  fmt::print(stderr, "{}: {} vertices, {} directions each\n", options.output.string(), mesh.positions.size(),
+             plan.directions);
   tracer.store_programs();
   return 0;
 }
@@ -89,7 +101,8 @@ int bake(const BakeOptions& options) {
 
 void add_bake_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<BakeOptions>();
-  CLI::App* command = app.add_subcommand("bake", "Write AO and bent normals at the mesh's vertices into a PLY file");
+  CLI::App* command =
+      app.add_subcommand("bake", "Write AO and bent normals at the mesh's vertices into a PLY file");
   options->scene.add_to(*command);
   options->device.add_to(*command);
   command->add_option("--to", options->to, "vertices")->check(CLI::IsMember({"vertices"}));

@@ -19,29 +19,40 @@ std::uint32_t slurm_number(const char* name, std::optional<std::uint32_t> fallba
   std::uint32_t value = 0;
   const char* end = text ? text + std::string_view(text).size() : nullptr;
   if (!text || std::from_chars(text, end, value).ptr != end || text == end)
-    throw Error(ExitCode::usage, fmt::format("--shard slurm: {} is {}", name, text ? fmt::format("'{}', not a number", text) : "not set: this is no task of a Slurm array"));
+    throw Error(ExitCode::usage, fmt::format("--shard slurm: {} is {}", name,
+                                             text ? fmt::format("'{}', not a number", text)
+                                                  : "not set: this is no task of a Slurm array"));
   return value;
 }
 
 Share checked(std::uint32_t index, std::uint32_t count, const std::string& text) {
-  if (index < 1 || index > count) throw Error(ExitCode::usage, fmt::format("--shard: '{}' is not I/N with 1 <= I <= N", text));
+  if (index < 1 || index > count)
+    throw Error(ExitCode::usage, fmt::format("--shard: '{}' is not I/N with 1 <= I <= N", text));
   return {index - 1, count};
 }
 
 }  // namespace
 
 void CheckpointOptions::add_to(CLI::App& command) {
-  command.add_option("--checkpoint", checkpoint, "Keep finished samples in this file; nook merge and --resume read it");
-  command.add_option("--every", every, "Seconds between checkpoints")->check(CLI::Range(0.0, 1e9))->capture_default_str();
+  command.add_option("--checkpoint", checkpoint,
+                     "Keep finished samples in this file; nook merge and --resume read it");
+  command.add_option("--every", every, "Seconds between checkpoints")
+      ->check(CLI::Range(0.0, 1e9))
+      ->capture_default_str();
   command.add_flag("--resume", resume, "Go on from the checkpoint if there is one");
-  command.add_option("--shard", shard, "Render part I of N, to be joined by nook merge: I/N, or slurm in a Slurm array")->envname("NOOK_SHARD");
+  command
+      .add_option("--shard", shard,
+                  "Render part I of N, to be joined by nook merge: I/N, or slurm in a Slurm array")
+      ->envname("NOOK_SHARD");
 }
 
 std::optional<Share> CheckpointOptions::share() const {
   if (shard.empty()) return std::nullopt;
   if (shard == "slurm") {
-    const std::uint32_t id = slurm_number("SLURM_ARRAY_TASK_ID", {}), count = slurm_number("SLURM_ARRAY_TASK_COUNT", {});
-    const std::uint32_t first = slurm_number("SLURM_ARRAY_TASK_MIN", 0), step = slurm_number("SLURM_ARRAY_TASK_STEP", 1);
+    const std::uint32_t id = slurm_number("SLURM_ARRAY_TASK_ID", {}),
+                        count = slurm_number("SLURM_ARRAY_TASK_COUNT", {});
+    const std::uint32_t first = slurm_number("SLURM_ARRAY_TASK_MIN", 0),
+                        step = slurm_number("SLURM_ARRAY_TASK_STEP", 1);
     const std::string place = fmt::format("task {} of {} from {}", id, count, first);
     if (id < first || step == 0) throw Error(ExitCode::usage, "--shard slurm: impossible: " + place);
     return checked((id - first) / step + 1, count, place);
@@ -55,14 +66,18 @@ std::optional<Share> CheckpointOptions::share() const {
   return checked(index, count, shard);
 }
 
-std::filesystem::path CheckpointOptions::file(const std::filesystem::path& scene, const std::filesystem::path& output) const {
+std::filesystem::path CheckpointOptions::file(const std::filesystem::path& scene,
+                                              const std::filesystem::path& output) const {
   if (std::isnan(every)) throw Error(ExitCode::usage, "--every: 'nan' is not a number of seconds");
   const std::optional<Share> part = share();
   std::filesystem::path file = checkpoint;
   if (part) {
-    if (!checkpoint.empty() && !output.empty()) throw Error(ExitCode::usage, "--shard: its part is --checkpoint's file or -o's, not both");
+    if (!checkpoint.empty() && !output.empty())
+      throw Error(ExitCode::usage, "--shard: its part is --checkpoint's file or -o's, not both");
     if (file.empty()) file = output;
-    if (file.empty()) file = std::filesystem::path(scene).replace_extension(fmt::format(".{}of{}.nook", part->index + 1, part->count));
+    if (file.empty())
+      file = std::filesystem::path(scene).replace_extension(
+          fmt::format(".{}of{}.nook", part->index + 1, part->count));
   }
   if (file.empty()) {
     if (resume) throw Error(ExitCode::usage, "--resume: needs --checkpoint FILE");
@@ -70,7 +85,8 @@ std::filesystem::path CheckpointOptions::file(const std::filesystem::path& scene
   }
   std::error_code code;
   if (!resume && std::filesystem::exists(file, code))
-    throw Error(ExitCode::usage, fmt::format("{} exists: --resume goes on from it; otherwise remove it first", file.string()));
+    throw Error(ExitCode::usage,
+                fmt::format("{} exists: --resume goes on from it; otherwise remove it first", file.string()));
   return file;
 }
 
@@ -94,7 +110,8 @@ void CheckpointWriter::write(Session& session) {
 std::string CheckpointWriter::what_is_kept(const Session& session) const {
   if (file_.empty()) return "; nothing was written";
   const double share = double(session.samples_held()) / double(session.share({0, 1}).samples());
-  return fmt::format("; {} holds {:.1f} % of the picture's samples, --resume goes on from there", file_.string(), 100 * share);
+  return fmt::format("; {} holds {:.1f} % of the picture's samples, --resume goes on from there",
+                     file_.string(), 100 * share);
 }
 
 }  // namespace nook

@@ -5,7 +5,8 @@
 
 namespace nook {
 
-/// A command's file adds its subcommand and, when the user names it, stores here what to run (the result is the exit code).
+/// A command's file adds its subcommand and, when the user names it, stores here what to run (the result is
+/// the exit code).
 using Command = std::function<int()>;
 
 void add_render_command(CLI::App& app, Command& chosen);

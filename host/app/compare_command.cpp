@@ -25,7 +25,8 @@ int run(const Options& options) {
     for (const std::filesystem::path input : {options.compare.a, options.compare.b}) {
       std::error_code code;
       if (std::filesystem::equivalent(input, *options.error_image, code))
-        throw Error(ExitCode::output, fmt::format("--error-image: {} is compared, it would be overwritten", options.error_image->string()));
+        throw Error(ExitCode::output, fmt::format("--error-image: {} is compared, it would be overwritten",
+                                                  options.error_image->string()));
     }
   Comparison comparison;
   try {
@@ -52,7 +53,9 @@ int run(const Options& options) {
 
 void add_limit(CLI::App& command, const std::string& name, const std::string& verdict,
                DifferenceLimit& limit) {
-  const auto number = [](const std::string& text) { return std::isnan(std::strtod(text.c_str(), nullptr)) ? "'nan' is not a number" : ""; };
+  const auto number = [](const std::string& text) {
+    return std::isnan(std::strtod(text.c_str(), nullptr)) ? "'nan' is not a number" : "";
+  };
   command.add_option("--" + name, limit.each, verdict + " if a value differs by more than this")
       ->capture_default_str()
       ->check(number);
@@ -60,7 +63,8 @@ void add_limit(CLI::App& command, const std::string& name, const std::string& ve
       ->capture_default_str()
       ->check(CLI::Range(0.0, 100.0))
       ->check(number);
-  command.add_option("--hard-" + name, limit.hard, verdict + " if any value differs by more than this")->check(number);
+  command.add_option("--hard-" + name, limit.hard, verdict + " if any value differs by more than this")
+      ->check(number);
 }
 
 }  // namespace

@@ -9,9 +9,9 @@ namespace nook {
 
 /// One picture of a delivery.
 struct DeliveryEntry {
-  std::string title;              ///< what it shows, for people
-  std::string render;             ///< its place in the archive: "offline/NAME.exr" or "realtime/NAME.exr"
-  std::filesystem::path scene;    ///< the scene it is rendered from
+  std::string title;            ///< what it shows, for people
+  std::string render;           ///< its place in the archive: "offline/NAME.exr" or "realtime/NAME.exr"
+  std::filesystem::path scene;  ///< the scene it is rendered from
 };
 
 /// An assignment's delivery set, as its config.json describes it.
@@ -22,20 +22,22 @@ struct Delivery {
   std::string config;  ///< the text of config.json for the archive, with the student's name in it
 };
 
-/// Reads and checks a config.json; `student`, if not empty, replaces the name in it. The scene of an entry offline/NAME.exr is
-/// NAME.toml or NAME_offline.toml in the first of `scene_folders` that has one, and its realtime key must agree with the folder.
-/// Throws Error(scene) with one line that names the file and the entry.
+/// Reads and checks a config.json; `student`, if not empty, replaces the name in it. The scene of an entry
+/// offline/NAME.exr is NAME.toml or NAME_offline.toml in the first of `scene_folders` that has one, and its
+/// realtime key must agree with the folder. Throws Error(scene) with one line that names the file and the
+/// entry.
 Delivery read_delivery(const std::filesystem::path& config, const std::string& student,
                        const std::vector<std::filesystem::path>& scene_folders);
 
-/// A file or folder of an archive: "offline/a.exr" and what it holds; a name that ends in '/' is an empty folder.
+/// A file or folder of an archive: "offline/a.exr" and what it holds; a name that ends in '/' is an empty
+/// folder.
 struct ArchiveEntry {
   std::string name;
   std::string bytes;
 };
 
-/// Writes a ZIP archive (temporary name and rename). Equal entries give equal bytes: every entry has the time 1980-01-01.
-/// Throws Error(output).
+/// Writes a ZIP archive (temporary name and rename). Equal entries give equal bytes: every entry has the time
+/// 1980-01-01. Throws Error(output).
 void write_zip(const std::filesystem::path& path, const std::vector<ArchiveEntry>& entries);
 
 }  // namespace nook

@@ -30,8 +30,14 @@ bool check_opencl_devices() {
   }
   say(true, "the OpenCL loader is there");
   const auto devices = list_devices();
-  if (devices.empty()) return say(false, "no OpenCL device: no driver is registered in /etc/OpenCL/vendors, or PoCL can write no cache (see below)", "apt-get install pocl-opencl-icd");
-  for (const DeviceInfo& d : devices) say(true, fmt::format("OpenCL device {}:{} {} ({}, {})", d.platform_index, d.device_index, d.name, d.platform_name, d.driver));
+  if (devices.empty())
+    return say(false,
+               "no OpenCL device: no driver is registered in /etc/OpenCL/vendors, or PoCL can write no cache "
+               "(see below)",
+               "apt-get install pocl-opencl-icd");
+  for (const DeviceInfo& d : devices)
+    say(true, fmt::format("OpenCL device {}:{} {} ({}, {})", d.platform_index, d.device_index, d.name,
+                          d.platform_name, d.driver));
   return true;
 }
 
@@ -40,7 +46,8 @@ bool check_kernels() {
     const Device device(select_device(""));
     BuiltProgram program = build_program(device, kernel_source("occlusion.cl"), BuildOptions());
     program.store();
-    return say(true, fmt::format("the kernels build ({:.2f} s{})", program.seconds, program.from_cache ? ", from the cache" : ""));
+    return say(true, fmt::format("the kernels build ({:.2f} s{})", program.seconds,
+                                 program.from_cache ? ", from the cache" : ""));
   } catch (const Error& e) {
     return say(false, e.what());
   }
@@ -48,13 +55,17 @@ bool check_kernels() {
 
 bool check_cache() {
   const std::filesystem::path dir = program_cache_dir();
-  if (dir.empty()) return say(false, "no folder for the kernel cache: HOME is not set", "export NOOK_CACHE_DIR=/tmp/nook-cache");
+  if (dir.empty())
+    return say(false, "no folder for the kernel cache: HOME is not set",
+               "export NOOK_CACHE_DIR=/tmp/nook-cache");
   std::error_code code;
   std::filesystem::create_directories(dir, code);
   const std::filesystem::path probe = dir / fmt::format("doctor.{}.tmp", getpid());
   const bool writable = !code && bool(std::ofstream(probe) << "x" << std::flush);
   std::filesystem::remove(probe, code);
-  return say(writable, fmt::format("the kernel cache {} is {}", dir.string(), writable ? "writable" : "not writable: every run compiles"),
+  return say(writable,
+             fmt::format("the kernel cache {} is {}", dir.string(),
+                         writable ? "writable" : "not writable: every run compiles"),
              "export NOOK_CACHE_DIR=/tmp/nook-cache");
 }
 
@@ -64,7 +75,8 @@ bool check_osmesa() {
       dlclose(library);
       return say(true, fmt::format("{} is there (SSAO)", name));
     }
-  return say(false, "no OSMesa: SSAO scenes cannot be rendered, everything else can", "apt-get install libosmesa6");
+  return say(false, "no OSMesa: SSAO scenes cannot be rendered, everything else can",
+             "apt-get install libosmesa6");
 }
 
 int run_doctor() {
@@ -79,7 +91,9 @@ int run_doctor() {
 }  // namespace
 
 void add_doctor_command(CLI::App& app, Command& chosen) {
-  app.add_subcommand("doctor", "Explain what is missing or broken on this machine")->callback([&chosen] { chosen = run_doctor; });
+  app.add_subcommand("doctor", "Explain what is missing or broken on this machine")->callback([&chosen] {
+    chosen = run_doctor;
+  });
 }
 
 }  // namespace nook

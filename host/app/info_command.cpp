@@ -15,27 +15,34 @@ namespace {
 
 int print_info(const SceneOptions& options) {
   const Scene scene = options.load();
-  const TriangleMesh mesh = load_scene_mesh(scene, {.normals = true, .uvs = false, .materials = true, .groups = true});
+  const TriangleMesh mesh =
+      load_scene_mesh(scene, {.normals = true, .uvs = false, .materials = true, .groups = true});
   const MeshAnalysis analysis = analyse(mesh);
   const vec3 lo = mesh.bounds.lo, hi = mesh.bounds.hi, center = mesh.bounds.center();
   fmt::print("mesh              {}\n", scene.mesh_file.string());
   fmt::print("triangles         {}\n", mesh.triangles.size());
   fmt::print("positions         {}\n", mesh.positions.size());
   fmt::print("groups, materials {}, {}\n", mesh.groups.size(), mesh.materials.size());
-  fmt::print("bounds            ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})\n", lo.x, lo.y, lo.z, hi.x, hi.y, hi.z);
-  fmt::print("bounding sphere   center ({:g}, {:g}, {:g}), radius {:g}\n", center.x, center.y, center.z, mesh.bounds.bounding_radius());
-  fmt::print("vertex normals    {}\n", mesh.has_normals() ? fmt::format("{} ({} corners without, {} not of unit length)", mesh.normals.size(),
-                                                                         mesh.report.normals_replaced, mesh.report.normals_normalised)
-                                                           : "none: geometric normals are used");
+  fmt::print("bounds            ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})\n", lo.x, lo.y, lo.z, hi.x, hi.y,
+             hi.z);
+  fmt::print("bounding sphere   center ({:g}, {:g}, {:g}), radius {:g}\n", center.x, center.y, center.z,
+             mesh.bounds.bounding_radius());
+  fmt::print("vertex normals    {}\n",
+             mesh.has_normals()
+                 ? fmt::format("{} ({} corners without, {} not of unit length)", mesh.normals.size(),
+                               mesh.report.normals_replaced, mesh.report.normals_normalised)
+                 : "none: geometric normals are used");
   fmt::print("zero-area         {}\n", analysis.zero_area);
   fmt::print("duplicates        {}\n", analysis.duplicates);
   fmt::print("NaN or infinite   {} triangles dropped\n", mesh.report.non_finite_dropped);
   for (const Effect& effect : scene.effects) {
     if (!is_traced(effect.kind)) continue;
     const float limit = resolve_distance(effect, mesh.subject_bounds(), scene.compat_tinyrender);
-    fmt::print("distance limit    {} for {} ({})\n", std::isinf(limit) ? "none" : fmt::format("{:g}", limit), name_of(effect.kind),
-               effect.max_distance.kind == DistanceLimit::Kind::automatic && scene.compat_tinyrender ? "compat = tinyrender"
-                                                                                                       : to_string(effect.max_distance));
+    fmt::print("distance limit    {} for {} ({})\n", std::isinf(limit) ? "none" : fmt::format("{:g}", limit),
+               name_of(effect.kind),
+               effect.max_distance.kind == DistanceLimit::Kind::automatic && scene.compat_tinyrender
+                   ? "compat = tinyrender"
+                   : to_string(effect.max_distance));
   }
   return 0;
 }

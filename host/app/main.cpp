@@ -24,7 +24,8 @@ int main(int argc, char** argv) {
   CLI::App app("nook: ambient occlusion, reflection occlusion and screen-space ambient occlusion");
   app.set_version_flag("--version", "nook " + std::string(nook::version));
   app.require_subcommand(0, 1);
-  app.footer("Exit codes: 0 ok, 1 defect, 2 usage, 3 scene, 4 device, 5 target missed, 6 output, 130 interrupted.");
+  app.footer(
+      "Exit codes: 0 ok, 1 defect, 2 usage, 3 scene, 4 device, 5 target missed, 6 output, 130 interrupted.");
   nook::Command chosen;
   nook::add_render_command(app, chosen);
   nook::add_probe_command(app, chosen);

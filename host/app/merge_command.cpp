@@ -24,7 +24,9 @@ struct MergeOptions {
   bool status = false, partial = false, any_device = false, png = true, quiet = false;
 };
 
-double percent(const SampleBoxes& boxes, const FilmPart& part) { return 100.0 * double(samples_in(boxes)) / double(part.whole().samples()); }
+double percent(const SampleBoxes& boxes, const FilmPart& part) {
+  return 100.0 * double(samples_in(boxes)) / double(part.whole().samples());
+}
 
 // "samples 0-15 of 4800 pixels", the first few.
 std::string describe(const SampleBoxes& boxes) {
@@ -34,7 +36,8 @@ std::string describe(const SampleBoxes& boxes) {
   std::size_t listed = 0;
   for (const auto& [range, count] : pixels) {
     if (++listed > 8) return text + ", ...";
-    text += fmt::format("{}samples {}-{} of {} pixels", text.empty() ? "" : ", ", range.first, range.second - 1, count);
+    text += fmt::format("{}samples {}-{} of {} pixels", text.empty() ? "" : ", ", range.first,
+                        range.second - 1, count);
   }
   return text.empty() ? "none" : text;
 }
@@ -43,8 +46,11 @@ FilmPart join(const MergeOptions& options) {
   FilmPart joined;
   for (const fs::path& path : options.parts) {
     FilmPart part = read_film_part(path);
-    if (options.any_device) std::erase_if(part.identity, [](const auto& entry) { return entry.first == "device" || entry.first == "driver"; });
-    if (options.status) fmt::print("{}: {:.2f} %: {}\n", path.string(), percent(part.held, part), describe(part.held));
+    if (options.any_device)
+      std::erase_if(part.identity,
+                    [](const auto& entry) { return entry.first == "device" || entry.first == "driver"; });
+    if (options.status)
+      fmt::print("{}: {:.2f} %: {}\n", path.string(), percent(part.held, part), describe(part.held));
     if (joined.films.empty())
       joined = std::move(part);
     else
@@ -54,7 +60,8 @@ FilmPart join(const MergeOptions& options) {
 }
 
 int merge(const MergeOptions& options) {
-  if (options.output.empty() && !options.status) throw Error(ExitCode::usage, "merge: needs -o OUT.exr, -o PART.nook or --status");
+  if (options.output.empty() && !options.status)
+    throw Error(ExitCode::usage, "merge: needs -o OUT.exr, -o PART.nook or --status");
   FilmPart part = join(options);
   const SampleBoxes missing = part.complete() ? SampleBoxes() : subtract({part.whole()}, part.held);
   if (options.status) fmt::print("missing: {:.2f} %: {}\n", percent(missing, part), describe(missing));
@@ -65,9 +72,12 @@ int merge(const MergeOptions& options) {
     return 0;
   }
   if (!missing.empty() && !options.partial)
-    throw Error(ExitCode::target, fmt::format("{:.2f} % of the picture is missing: {}; --partial writes it all the same", percent(missing, part), describe(missing)));
+    throw Error(ExitCode::target,
+                fmt::format("{:.2f} % of the picture is missing: {}; --partial writes it all the same",
+                            percent(missing, part), describe(missing)));
   Image image = make_picture(part);
-  for (const auto& [name, value] : count_metadata(part.counts, part.render_seconds)) image.metadata[name] = value;
+  for (const auto& [name, value] : count_metadata(part.counts, part.render_seconds))
+    image.metadata[name] = value;
   write_exr(options.output, image);
   if (options.png) write_png(fs::path(options.output).replace_extension(".png"), image);
   if (part.counts.rejected && !options.quiet)
@@ -79,12 +89,16 @@ int merge(const MergeOptions& options) {
 
 void add_merge_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<MergeOptions>();
-  CLI::App* command = app.add_subcommand("merge", "Join parts of a picture (nook render --shard, --checkpoint)");
+  CLI::App* command =
+      app.add_subcommand("merge", "Join parts of a picture (nook render --shard, --checkpoint)");
   command->add_option("parts", options->parts, "Parts, in any order")->required();
-  command->add_option("-o,--output", options->output, "OUT.exr for the picture; any other name for a larger part");
-  command->add_flag("--status", options->status, "Print which samples each part has, and which are missing (exit code 5 if any)");
+  command->add_option("-o,--output", options->output,
+                      "OUT.exr for the picture; any other name for a larger part");
+  command->add_flag("--status", options->status,
+                    "Print which samples each part has, and which are missing (exit code 5 if any)");
   command->add_flag("--partial", options->partial, "Write the picture though samples are missing");
-  command->add_flag("--any-device", options->any_device, "Join parts from different devices: the same samples, not the same bits as one run");
+  command->add_flag("--any-device", options->any_device,
+                    "Join parts from different devices: the same samples, not the same bits as one run");
   command->add_flag("--png,!--no-png", options->png, "Write a PNG preview beside the EXR; on by default");
   command->add_flag("--quiet", options->quiet, "Say nothing but errors");
   command->callback([options, &chosen] { chosen = [options] { return merge(*options); }; });

@@ -1,4 +1,5 @@
-// nook plan SCENE: what a render of the scene will do, what it leaves out, and why. Renders nothing and opens no device.
+// nook plan SCENE: what a render of the scene will do, what it leaves out, and why. Renders nothing and opens
+// no device.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -33,12 +34,14 @@ std::string layer_text(const LayerPlan& layer) {
 }
 
 std::string settings_text(const EffectPlan& effect) {
-  std::string text = fmt::format("{}, distance {}", name_of(effect.effect.sampling),
-                                 std::isinf(effect.max_distance) ? "unlimited" : fmt::format("{:.6g}", effect.max_distance));
+  std::string text =
+      fmt::format("{}, distance {}", name_of(effect.effect.sampling),
+                  std::isinf(effect.max_distance) ? "unlimited" : fmt::format("{:.6g}", effect.max_distance));
   const Effect& e = effect.effect;
   if (e.falloff != Falloff::none) text += fmt::format(", {} falloff", name_of(e.falloff));
   if (e.min_distance > 0) text += fmt::format(", from {:g} on", e.min_distance);
-  if (e.kind != EffectKind::ro && e.cone_angle < 90) text += fmt::format(", cone of {:g} degrees", e.cone_angle);
+  if (e.kind != EffectKind::ro && e.cone_angle < 90)
+    text += fmt::format(", cone of {:g} degrees", e.cone_angle);
   if (e.side != Side::normal) text += fmt::format(", side {}", name_of(e.side));
   if (e.kind == EffectKind::ro)
     text += e.exponent_of_material ? ", exponent of the material" : fmt::format(", exponent {}", e.exponent);
@@ -50,20 +53,25 @@ void print_layers(const Plan& plan) {
   auto traced = plan.effects.begin();
   for (const LayerPlan& layer : plan.layers) {
     const bool settings = layer.kind != EffectKind::ssao && !is_surface(layer.kind);
-    fmt::print("  {:<24} {:<9} {}\n", layer_text(layer), name_of(layer.kind), settings ? settings_text(*traced++) : "");
+    fmt::print("  {:<24} {:<9} {}\n", layer_text(layer), name_of(layer.kind),
+               settings ? settings_text(*traced++) : "");
   }
 }
 
 void print_table(const Scene& scene, const Plan& plan, const TriangleMesh& mesh, const PlanReport& report) {
-  fmt::print("{}: {}x{} pixels, {} camera rays a pixel, {} directions each, {} triangles\n", scene.file.string(), plan.window.width(),
-             plan.window.height(), plan.spp, plan.directions, grouped(mesh.triangles.size()));
+  fmt::print("{}: {}x{} pixels, {} camera rays a pixel, {} directions each, {} triangles\n",
+             scene.file.string(), plan.window.width(), plan.window.height(), plan.spp, plan.directions,
+             grouped(mesh.triangles.size()));
   print_layers(plan);
   fmt::print("\nPasses\n");
   for (const PassReport& pass : report.passes)
-    fmt::print("  {:<16} {}{}\n", pass.name, pass.what,
-               pass.rays ? fmt::format(", {}{} rays", pass.name == "occlusion" ? "at most " : "", grouped(pass.rays)) : "");
+    fmt::print(
+        "  {:<16} {}{}\n", pass.name, pass.what,
+        pass.rays ? fmt::format(", {}{} rays", pass.name == "occlusion" ? "at most " : "", grouped(pass.rays))
+                  : "");
   if (!report.kernels.empty()) fmt::print("\nKernels\n");
-  for (const KernelPlan& kernel : report.kernels) fmt::print("  {:<16}{}\n", kernel.file, kernel.options.text());
+  for (const KernelPlan& kernel : report.kernels)
+    fmt::print("  {:<16}{}\n", kernel.file, kernel.options.text());
   if (!report.buffers.empty()) fmt::print("\nUploaded\n");
   std::uint64_t sum = 0;
   for (const BufferReport& buffer : report.buffers) {
@@ -78,18 +86,28 @@ void print_table(const Scene& scene, const Plan& plan, const TriangleMesh& mesh,
 }
 
 void print_json(const Plan& plan, const TriangleMesh& mesh, const PlanReport& report) {
-  nlohmann::json json = {{"width", plan.window.width()}, {"height", plan.window.height()},    {"spp", plan.spp},
-                         {"directions", plan.directions}, {"triangles", mesh.triangles.size()}, {"libraries", report.libraries},
-                         {"left_out", report.left_out},   {"kernels", nlohmann::json::array()}, {"buffers", nlohmann::json::array()}};
+  nlohmann::json json = {{"width", plan.window.width()},
+                         {"height", plan.window.height()},
+                         {"spp", plan.spp},
+                         {"directions", plan.directions},
+                         {"triangles", mesh.triangles.size()},
+                         {"libraries", report.libraries},
+                         {"left_out", report.left_out},
+                         {"kernels", nlohmann::json::array()},
+                         {"buffers", nlohmann::json::array()}};
   auto traced = plan.effects.begin();
   for (const LayerPlan& layer : plan.layers) {
     nlohmann::json entry = {{"channels", layer_text(layer)}, {"type", name_of(layer.kind)}};
-    if (layer.kind != EffectKind::ssao && !is_surface(layer.kind)) entry["settings"] = settings_text(*traced++);
+    if (layer.kind != EffectKind::ssao && !is_surface(layer.kind))
+      entry["settings"] = settings_text(*traced++);
     json["layers"].push_back(entry);
   }
-  for (const PassReport& pass : report.passes) json["passes"].push_back({{"name", pass.name}, {"what", pass.what}, {"rays_at_most", pass.rays}});
-  for (const KernelPlan& kernel : report.kernels) json["kernels"].push_back({{"file", kernel.file}, {"options", kernel.options.text()}});
-  for (const BufferReport& buffer : report.buffers) json["buffers"].push_back({{"name", buffer.name}, {"bytes", buffer.bytes}});
+  for (const PassReport& pass : report.passes)
+    json["passes"].push_back({{"name", pass.name}, {"what", pass.what}, {"rays_at_most", pass.rays}});
+  for (const KernelPlan& kernel : report.kernels)
+    json["kernels"].push_back({{"file", kernel.file}, {"options", kernel.options.text()}});
+  for (const BufferReport& buffer : report.buffers)
+    json["buffers"].push_back({{"name", buffer.name}, {"bytes", buffer.bytes}});
   fmt::print("{}\n", json.dump(2));
 }
 
@@ -111,7 +129,8 @@ int show_plan(const PlanOptions& options) {
 
 void add_plan_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<PlanOptions>();
-  CLI::App* command = app.add_subcommand("plan", "Say what a render of a scene will do, what it leaves out, and why");
+  CLI::App* command =
+      app.add_subcommand("plan", "Say what a render of a scene will do, what it leaves out, and why");
   options->scene.add_to(*command);
   command->add_flag("--json", options->json, "As JSON");
   command->callback([options, &chosen] { chosen = [options] { return show_plan(*options); }; });

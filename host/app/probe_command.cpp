@@ -34,13 +34,15 @@ Scene probe_scene(const ProbeOptions& options) {
     if (kind != effect.kind) {
       const bool limit_given = options.scene.max_distance.has_value();
       effect.kind = kind;
-      if (!options.scene.sampling) effect.sampling = kind == EffectKind::ro ? Sampling::lobe : Sampling::cosine;
+      if (!options.scene.sampling)
+        effect.sampling = kind == EffectKind::ro ? Sampling::lobe : Sampling::cosine;
       if (!limit_given) effect.max_distance = {};
     }
   }
   if (effect.kind != EffectKind::ao && effect.kind != EffectKind::ro)
     throw Error(ExitCode::usage, "--effect: a probe needs ao or ro");
-  if (effect.kind == EffectKind::ao && (effect.sampling == Sampling::lobe || effect.sampling == Sampling::mixture))
+  if (effect.kind == EffectKind::ao &&
+      (effect.sampling == Sampling::lobe || effect.sampling == Sampling::mixture))
     throw Error(ExitCode::usage, fmt::format("--sampling: {} needs --effect ro", name_of(effect.sampling)));
   if (effect.kind == EffectKind::ro && effect.exponent_of_material)
     throw Error(ExitCode::usage, "points have no material: --exponent gives the one to use");
@@ -74,12 +76,18 @@ int probe(const ProbeOptions& options) {
 
 void add_probe_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<ProbeOptions>();
-  CLI::App* command = app.add_subcommand("probe", "Estimate AO or RO at the points of a CSV file; CSV on stdout");
+  CLI::App* command =
+      app.add_subcommand("probe", "Estimate AO or RO at the points of a CSV file; CSV on stdout");
   options->scene.add_to(*command);
   options->device.add_to(*command);
-  command->add_option("--points", options->points, "CSV rows px,py,pz,nx,ny,nz[,vx,vy,vz]; v: direction to the viewer (RO)")->required();
-  command->add_option("--effect", options->effect, "ao or ro; default: the scene's")->check(CLI::IsMember({"ao", "ro"}));
-  command->add_option("--samples", options->samples, "Directions at each point")->check(CLI::Range(1, 1 << 30));
+  command
+      ->add_option("--points", options->points,
+                   "CSV rows px,py,pz,nx,ny,nz[,vx,vy,vz]; v: direction to the viewer (RO)")
+      ->required();
+  command->add_option("--effect", options->effect, "ao or ro; default: the scene's")
+      ->check(CLI::IsMember({"ao", "ro"}));
+  command->add_option("--samples", options->samples, "Directions at each point")
+      ->check(CLI::Range(1, 1 << 30));
   command->callback([options, &chosen] { chosen = [options] { return probe(*options); }; });
 }
 

@@ -63,62 +63,85 @@ class Stopwatch {
 void check_writable(const fs::path& file) {
   std::error_code code;
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder, code)) throw Error(ExitCode::output, fmt::format("{}: the folder {} does not exist", file.string(), folder.string()));
-  if (fs::is_directory(file, code)) throw Error(ExitCode::output, fmt::format("{}: is a folder", file.string()));
-  if (access(folder.c_str(), W_OK) != 0) throw Error(ExitCode::output, fmt::format("{}: the folder {} is not writable", file.string(), folder.string()));
+  if (!fs::is_directory(folder, code))
+    throw Error(ExitCode::output,
+                fmt::format("{}: the folder {} does not exist", file.string(), folder.string()));
+  if (fs::is_directory(file, code))
+    throw Error(ExitCode::output, fmt::format("{}: is a folder", file.string()));
+  if (access(folder.c_str(), W_OK) != 0)
+    throw Error(ExitCode::output,
+                fmt::format("{}: the folder {} is not writable", file.string(), folder.string()));
 }
 
-// A film has 28 bytes a pixel and effect; render order, pixel list and positions 4 each; the picture 4 a channel, held twice when it is
-// written, and up to three channels an effect or AOV.
+// A film has 28 bytes a pixel and effect; render order, pixel list and positions 4 each; the picture 4 a
+// channel, held twice when it is written, and up to three channels an effect or AOV.
 void check_memory(const Scene& scene, std::size_t aovs) {
   const PixelRect window = scene.crop.value_or(PixelRect{0, 0, scene.width, scene.height});
   const std::uint64_t pixels = std::uint64_t(window.width()) * std::uint64_t(window.height());
-  const std::uint64_t bytes_a_pixel = 28 * scene.effects.size() + 12 + 2 * 4 * 3 * (scene.effects.size() + aovs);
-  nook::check_memory(pixels * bytes_a_pixel, fmt::format("a picture of {}x{} pixels", window.width(), window.height()),
+  const std::uint64_t bytes_a_pixel =
+      28 * scene.effects.size() + 12 + 2 * 4 * 3 * (scene.effects.size() + aovs);
+  nook::check_memory(pixels * bytes_a_pixel,
+                     fmt::format("a picture of {}x{} pixels", window.width(), window.height()),
                      "render it in pieces with --crop");
 }
 
 // Options that this scene cannot honour, and those that exclude one another; before anything is loaded.
 void check_combinations(const Scene& scene, const RenderOptions& options) {
-  const auto any = [&](auto kind) { return std::any_of(scene.effects.begin(), scene.effects.end(), [&](const Effect& e) { return kind(e.kind); }); };
+  const auto any = [&](auto kind) {
+    return std::any_of(scene.effects.begin(), scene.effects.end(),
+                       [&](const Effect& e) { return kind(e.kind); });
+  };
   const bool sampled = any(is_traced);
   const bool screen_space = any([](EffectKind kind) { return kind == EffectKind::ssao; });
   const bool shard = options.checkpoints.share().has_value();
-  const bool kept = shard || options.checkpoints.resume || !options.checkpoints.file(options.scene.scene, options.output).empty();
+  const bool kept = shard || options.checkpoints.resume ||
+                    !options.checkpoints.file(options.scene.scene, options.output).empty();
   const auto fail = [](const char* why) { throw Error(ExitCode::usage, why); };
   if (!sampled && options.target.any()) fail("--error, --time: the scene has no effect with samples");
   if (!sampled && kept) fail("--checkpoint, --resume, --shard: the scene has no effect with samples to keep");
-  if (screen_space && shard) fail("--shard: a screen-space layer cannot be merged; render it with a scene of its own");
-  if (options.target.error && kept) fail("--error: a render to an error is not kept in parts (--checkpoint, --shard)");
-  if (options.target.seconds && shard) fail("--time: a share of a picture (--shard) has a fixed number of samples");
+  if (screen_space && shard)
+    fail("--shard: a screen-space layer cannot be merged; render it with a scene of its own");
+  if (options.target.error && kept)
+    fail("--error: a render to an error is not kept in parts (--checkpoint, --shard)");
+  if (options.target.seconds && shard)
+    fail("--time: a share of a picture (--shard) has a fixed number of samples");
 }
 
 std::string distance_text(const EffectPlan& effect) {
-  return std::isinf(effect.max_distance) ? "unlimited" : fmt::format("{:.6g} world units", effect.max_distance);
+  return std::isinf(effect.max_distance) ? "unlimited"
+                                         : fmt::format("{:.6g} world units", effect.max_distance);
 }
 
 void announce(const Plan& plan, const RunRecord& record) {
   for (const EffectPlan& effect : plan.effects)
-    fmt::print(stderr, "{} {}x{}, {} triangles, {} spp x {} directions, {}, {}, distance {}, {}\n", name_of(effect.effect.kind),
-               plan.window.width(), plan.window.height(), record.triangles, plan.spp, plan.directions, name_of(effect.effect.sampling),
-               name_of(plan.sampler), distance_text(effect), record.device.name);
+    fmt::print(stderr, "{} {}x{}, {} triangles, {} spp x {} directions, {}, {}, distance {}, {}\n",
+               name_of(effect.effect.kind), plan.window.width(), plan.window.height(), record.triangles,
+               plan.spp, plan.directions, name_of(effect.effect.sampling), name_of(plan.sampler),
+               distance_text(effect), record.device.name);
 }
 
 void announce_end(const RunRecord& r, const fs::path& output) {
-  fmt::print(stderr, "{}: load {:.2f} s, tree {:.2f} s, kernels {:.2f} s{}, render {:.2f} s ({:.1f} Mrays/s), write {:.2f} s\n", output.string(),
-             r.seconds.load, r.seconds.bvh, r.seconds.compile, r.kernels_from_cache ? " (cached)" : "", r.seconds.render,
-             double(r.counts.camera_rays + r.counts.occlusion_rays) / std::max(r.seconds.render, 1e-9) * 1e-6, r.seconds.write);
-  if (r.counts.rejected) fmt::print(stderr, "warning: {} samples were not finite and were left out\n", r.counts.rejected);
+  fmt::print(stderr,
+             "{}: load {:.2f} s, tree {:.2f} s, kernels {:.2f} s{}, render {:.2f} s ({:.1f} Mrays/s), write "
+             "{:.2f} s\n",
+             output.string(), r.seconds.load, r.seconds.bvh, r.seconds.compile,
+             r.kernels_from_cache ? " (cached)" : "", r.seconds.render,
+             double(r.counts.camera_rays + r.counts.occlusion_rays) / std::max(r.seconds.render, 1e-9) * 1e-6,
+             r.seconds.write);
+  if (r.counts.rejected)
+    fmt::print(stderr, "warning: {} samples were not finite and were left out\n", r.counts.rejected);
 }
 
 std::vector<std::uint32_t> row_major(const PixelRect& window, int width) {
   std::vector<std::uint32_t> pixels;
   for (int y = window.y0; y < window.y1; ++y)
-    for (int x = window.x0; x < window.x1; ++x) pixels.push_back(std::uint32_t(y) * std::uint32_t(width) + std::uint32_t(x));
+    for (int x = window.x0; x < window.x1; ++x)
+      pixels.push_back(std::uint32_t(y) * std::uint32_t(width) + std::uint32_t(x));
   return pixels;
 }
 
-// The channels that one point at each pixel's centre gives: AOVs and layers of type normal, position and depth.
+// The channels that one point at each pixel's centre gives: AOVs and layers of type normal, position and
+// depth.
 std::vector<Channel> surface_under_pixels(PathTracer& tracer, const Plan& plan, const AovRequest& aovs) {
   if (!plan.surface) return {};
   const std::vector<SurfacePoint> points = tracer.surface_points(row_major(plan.window, plan.width));
@@ -128,10 +151,14 @@ std::vector<Channel> surface_under_pixels(PathTracer& tracer, const Plan& plan, 
 }
 
 // A part that can be continued, less what only its end knows.
-FilmPart::Texts as_texts(const std::map<std::string, std::string>& metadata) { return {metadata.begin(), metadata.end()}; }
+FilmPart::Texts as_texts(const std::map<std::string, std::string>& metadata) {
+  return {metadata.begin(), metadata.end()};
+}
 
-// Runs the session to the end of its share, keeping its part on disk. Whatever ends it early, what is finished stays.
-void run_session(Session& session, const SampleBox& share, const Session::Schedule& schedule, Deadline deadline, CheckpointWriter& writer, ProgressMode mode) {
+// Runs the session to the end of its share, keeping its part on disk. Whatever ends it early, what is
+// finished stays.
+void run_session(Session& session, const SampleBox& share, const Session::Schedule& schedule,
+                 Deadline deadline, CheckpointWriter& writer, ProgressMode mode) {
   const auto rays = [&] { return session.part().counts.camera_rays + session.part().counts.occlusion_rays; };
   const std::uint64_t held_before = session.samples_held(), rays_before = rays();
   ProgressReporter progress(mode, samples_in(subtract({share}, session.held())));
@@ -155,7 +182,8 @@ void run_session(Session& session, const SampleBox& share, const Session::Schedu
 }
 
 // Writes the picture (a shard has none yet) and the record.
-void finish(const RenderOptions& options, const fs::path& output, Image& image, Stopwatch& watch, Stopwatch& whole, RunRecord& record) {
+void finish(const RenderOptions& options, const fs::path& output, Image& image, Stopwatch& watch,
+            Stopwatch& whole, RunRecord& record) {
   if (!image.channels.empty()) {
     image.metadata = record.metadata();
     write_exr(output, image);
@@ -169,7 +197,8 @@ void finish(const RenderOptions& options, const fs::path& output, Image& image, 
 }
 
 // The layers of the screen-space effects beside the path-traced ones.
-void add_ssao(const Scene& scene, const TriangleMesh& mesh, const RenderOptions& options, RunRecord& record, Image& image) {
+void add_ssao(const Scene& scene, const TriangleMesh& mesh, const RenderOptions& options, RunRecord& record,
+              Image& image) {
   if (record.plan.ssao.empty()) return;
   draw_ssao(scene, mesh, {}, options.frames, record, image);
   if (!options.quiet) announce_ssao(record);
@@ -193,15 +222,18 @@ int render(const RenderOptions& options) {
   check_combinations(scene, options);
   check_memory(scene, options.aovs.size());
   if (is_ssao_alone(scene)) {
-    const fs::path file = options.output.empty() ? fs::path(options.scene.scene).replace_extension(".exr") : options.output;
+    const fs::path file =
+        options.output.empty() ? fs::path(options.scene.scene).replace_extension(".exr") : options.output;
     keep_inputs(scene, file);
     check_writable(file);
-    return render_ssao(scene, {options.scene.scene, file, options.stats, aovs, options.frames, options.device.threads, options.png, options.quiet});
+    return render_ssao(scene, {options.scene.scene, file, options.stats, aovs, options.frames,
+                               options.device.threads, options.png, options.quiet});
   }
   const std::optional<Share> shard = options.checkpoints.share();
-  CheckpointWriter writer(options.checkpoints.file(options.scene.scene, options.output), options.checkpoints.every);
+  CheckpointWriter writer(options.checkpoints.file(options.scene.scene, options.output),
+                          options.checkpoints.every);
   if (!writer.file().empty()) check_writable(writer.file());
-  const fs::path output = shard                   ? writer.file()
+  const fs::path output = shard                    ? writer.file()
                           : options.output.empty() ? fs::path(options.scene.scene).replace_extension(".exr")
                                                    : options.output;
   keep_inputs(scene, output);
@@ -232,7 +264,10 @@ int render(const RenderOptions& options) {
     return 0;
   }
   if (record.plan.effects.empty()) {
-    Image image{record.plan.window.width(), record.plan.window.height(), surface_under_pixels(tracer, record.plan, aovs), {}};
+    Image image{record.plan.window.width(),
+                record.plan.window.height(),
+                surface_under_pixels(tracer, record.plan, aovs),
+                {}};
     record.seconds.render = watch.lap();
     record.counts.camera_rays = tracer.counters().camera_rays;
     record.bytes_uploaded = device.bytes_uploaded();
@@ -243,9 +278,11 @@ int render(const RenderOptions& options) {
     return 0;
   }
 
-  Session session(tracer, record.plan, film_identity(record.plan, record.device, record.scene_hash, record.mesh_hash));
+  Session session(tracer, record.plan,
+                  film_identity(record.plan, record.device, record.scene_hash, record.mesh_hash));
   std::error_code code;
-  if (options.checkpoints.resume && fs::exists(writer.file(), code)) session.resume(read_film_part(writer.file()), writer.file().string());
+  if (options.checkpoints.resume && fs::exists(writer.file(), code))
+    session.resume(read_film_part(writer.file()), writer.file().string());
   session.part().layers = layer_names(record.plan);
   session.part().aovs = options.aovs;
   session.part().metadata = as_texts(record.metadata());
@@ -262,7 +299,8 @@ int render(const RenderOptions& options) {
     part.render_seconds = watch.lap();
     const RenderCounters& counters = tracer.counters();
     part.counts = {counters.camera_rays, counters.occlusion_rays, counters.rejected};
-    record.error = ErrorRecord{result.error_asked, options.target.target.confidence, result.error_reached, result.error_worst, result.share_done};
+    record.error = ErrorRecord{result.error_asked, options.target.target.confidence, result.error_reached,
+                               result.error_worst, result.share_done};
     record.complete = result.met();
   } else {
     const SampleBox share = session.share(shard.value_or(Share{}));
@@ -300,14 +338,20 @@ void add_render_command(CLI::App& app, Command& chosen) {
   options->device.add_to(*command);
   options->checkpoints.add_to(*command);
   options->target.add_to(*command);
-  command->add_option("-o,--output", options->output, "EXR file; default: beside the scene, .exr for .toml. With --shard: the part's file");
-  command->add_option("--aov", options->aovs, "More channels: normal,position,depth,variance,samples,alpha")->delimiter(',');
-  command->add_option("--progress", options->progress, "auto, plain, json or none (to stderr)")->envname("NOOK_PROGRESS");
-  command->add_option("--frames", options->frames, "SSAO: draw the frame so often, and report the fastest")->check(CLI::Range(1, 100000));
+  command->add_option("-o,--output", options->output,
+                      "EXR file; default: beside the scene, .exr for .toml. With --shard: the part's file");
+  command->add_option("--aov", options->aovs, "More channels: normal,position,depth,variance,samples,alpha")
+      ->delimiter(',');
+  command->add_option("--progress", options->progress, "auto, plain, json or none (to stderr)")
+      ->envname("NOOK_PROGRESS");
+  command->add_option("--frames", options->frames, "SSAO: draw the frame so often, and report the fastest")
+      ->check(CLI::Range(1, 100000));
   command->add_option("--stats", options->stats, "Write the run record as JSON");
-  command->add_flag("--png,!--no-png", options->png, "Write a PNG preview beside the EXR (sRGB encoded); on by default");
+  command->add_flag("--png,!--no-png", options->png,
+                    "Write a PNG preview beside the EXR (sRGB encoded); on by default");
   command->add_flag("--quiet", options->quiet, "Say nothing but errors");
-  command->add_flag("--print-config", options->print_config, "Print the scene with every override and default, render nothing");
+  command->add_flag("--print-config", options->print_config,
+                    "Print the scene with every override and default, render nothing");
   command->callback([options, &chosen] { chosen = [options] { return render(*options); }; });
 }
 

@@ -20,7 +20,8 @@ T chosen(const char* flag, const std::string& word, NameTable<T> names) {
   if (const auto value = value_of(names, word)) return *value;
   std::vector<std::string_view> known;
   for (const auto& entry : names) known.push_back(entry.first);
-  throw Error(ExitCode::usage, fmt::format("{}: unknown value '{}', known: {}", flag, word, fmt::join(known, ", ")));
+  throw Error(ExitCode::usage,
+              fmt::format("{}: unknown value '{}', known: {}", flag, word, fmt::join(known, ", ")));
 }
 
 // "800x600"
@@ -28,14 +29,18 @@ std::pair<int, int> parse_size(const std::string& text) {
   int width = 0, height = 0;
   const char* end = text.data() + text.size();
   const auto [x, first] = std::from_chars(text.data(), end, width);
-  const auto [stop, second] = x < end && *x == 'x' ? std::from_chars(x + 1, end, height) : std::from_chars_result{x, std::errc::invalid_argument};
-  if (first != std::errc() || second != std::errc() || stop != end || width < 1 || height < 1 || width > 65535 || height > 65535)
-    throw Error(ExitCode::usage, fmt::format("--size: '{}' is not WIDTHxHEIGHT with 1 to 65535 pixels each", text));
+  const auto [stop, second] = x < end && *x == 'x' ? std::from_chars(x + 1, end, height)
+                                                   : std::from_chars_result{x, std::errc::invalid_argument};
+  if (first != std::errc() || second != std::errc() || stop != end || width < 1 || height < 1 ||
+      width > 65535 || height > 65535)
+    throw Error(ExitCode::usage,
+                fmt::format("--size: '{}' is not WIDTHxHEIGHT with 1 to 65535 pixels each", text));
   return {width, height};
 }
 
 std::string quoted_limit(const DistanceLimit& limit) {
-  return limit.kind == DistanceLimit::Kind::value ? fmt::format("{}", limit.value) : fmt::format("\"{}\"", to_string(limit));
+  return limit.kind == DistanceLimit::Kind::value ? fmt::format("{}", limit.value)
+                                                  : fmt::format("\"{}\"", to_string(limit));
 }
 
 // The keys of one effect.
@@ -43,18 +48,22 @@ std::string effect_toml(const Effect& e) {
   std::string out = fmt::format("type = \"{}\"\n", name_of(e.kind));
   if (is_surface(e.kind)) return out;
   if (e.kind == EffectKind::ssao) {
-    out += fmt::format("method = \"{}\"\nradius = {}\nbias = {}\nsamples = {}\nrange_check = {}\n", name_of(e.ssao.method),
-                       e.ssao.radius > 0 ? fmt::format("{}", e.ssao.radius) : "\"auto\"", e.ssao.bias, e.ssao.samples, e.ssao.range_check);
+    out +=
+        fmt::format("method = \"{}\"\nradius = {}\nbias = {}\nsamples = {}\nrange_check = {}\n",
+                    name_of(e.ssao.method), e.ssao.radius > 0 ? fmt::format("{}", e.ssao.radius) : "\"auto\"",
+                    e.ssao.bias, e.ssao.samples, e.ssao.range_check);
     if (e.ssao.quality) out += fmt::format("quality = \"{}\"\n", name_of(*e.ssao.quality));
     return out;
   }
-  out += fmt::format("sampling_type = \"{}\"\nmax_distance = {}\n", name_of(e.sampling), quoted_limit(e.max_distance));
+  out += fmt::format("sampling_type = \"{}\"\nmax_distance = {}\n", name_of(e.sampling),
+                     quoted_limit(e.max_distance));
   if (e.min_distance > 0) out += fmt::format("min_distance = {}\n", e.min_distance);
   if (e.falloff != Falloff::none) out += fmt::format("falloff = \"{}\"\n", name_of(e.falloff));
   if (e.side != Side::normal) out += fmt::format("side = \"{}\"\n", name_of(e.side));
   if (e.cone_angle < 90) out += fmt::format("cone_angle = {}\n", e.cone_angle);
   if (e.view_space) out += "space = \"view\"\n";
-  if (e.kind == EffectKind::ro) out += e.exponent_of_material ? "exponent = \"material\"\n" : fmt::format("exponent = {}\n", e.exponent);
+  if (e.kind == EffectKind::ro)
+    out += e.exponent_of_material ? "exponent = \"material\"\n" : fmt::format("exponent = {}\n", e.exponent);
   return out;
 }
 
@@ -68,23 +77,37 @@ bool is_mesh(const std::filesystem::path& file) {
 void SceneOptions::add_to(CLI::App& command) {
   const CLI::Range count(1, 1 << 26);
   command.add_option("scene", scene, "Scene file (TOML), or a bare .obj or .ply mesh")->required();
-  command.add_option("--spp", spp, "Camera rays a pixel; powers of two are best for sobol")->check(count)->envname("NOOK_SPP");
-  command.add_option("--directions", directions, "Occlusion rays per camera ray")->check(count)->envname("NOOK_DIRECTIONS");
-  command.add_option("--sampling", sampling, "cosine, hemisphere, sphere; for RO also lobe, mixture")->envname("NOOK_SAMPLING");
-  command.add_option("--sampler", sampler, "independent, stratified, halton, sobol, zorder")->envname("NOOK_SAMPLER");
-  command.add_option("--max-distance", max_distance, "auto, none or a distance in world units")->envname("NOOK_MAX_DISTANCE");
-  command.add_option("--exponent", exponent, "RO: Phong exponent, 0 to 1e7")->check(CLI::Range(0.0, 1e7))->envname("NOOK_EXPONENT");
+  command.add_option("--spp", spp, "Camera rays a pixel; powers of two are best for sobol")
+      ->check(count)
+      ->envname("NOOK_SPP");
+  command.add_option("--directions", directions, "Occlusion rays per camera ray")
+      ->check(count)
+      ->envname("NOOK_DIRECTIONS");
+  command.add_option("--sampling", sampling, "cosine, hemisphere, sphere; for RO also lobe, mixture")
+      ->envname("NOOK_SAMPLING");
+  command.add_option("--sampler", sampler, "independent, stratified, halton, sobol, zorder")
+      ->envname("NOOK_SAMPLER");
+  command.add_option("--max-distance", max_distance, "auto, none or a distance in world units")
+      ->envname("NOOK_MAX_DISTANCE");
+  command.add_option("--exponent", exponent, "RO: Phong exponent, 0 to 1e7")
+      ->check(CLI::Range(0.0, 1e7))
+      ->envname("NOOK_EXPONENT");
   command.add_option("--method", method, "SSAO: point, gtao, march")->envname("NOOK_METHOD");
   command.add_option("--quality", quality, "SSAO: draft, real-time, accurate")->envname("NOOK_QUALITY");
-  command.add_option("--radius", radius, "SSAO: world units, or auto: half the bounding radius")->envname("NOOK_RADIUS");
+  command.add_option("--radius", radius, "SSAO: world units, or auto: half the bounding radius")
+      ->envname("NOOK_RADIUS");
   command.add_option("--seed", seed, "Seed of all random numbers")->envname("NOOK_SEED");
   command.add_option("--size", size, "Image size, e.g. 800x600")->envname("NOOK_SIZE");
-  command.add_option("--crop", crop, "Render pixels x0 <= x < x1, y0 <= y < y1 only: x0,x1,y0,y1")->delimiter(',')->expected(4)->envname("NOOK_CROP");
+  command.add_option("--crop", crop, "Render pixels x0 <= x < x1, y0 <= y < y1 only: x0,x1,y0,y1")
+      ->delimiter(',')
+      ->expected(4)
+      ->envname("NOOK_CROP");
 }
 
 Scene SceneOptions::load() const {
   Scene loaded = is_mesh(scene) ? scene_of_mesh(scene) : load_scene(scene);
-  if (exponent && std::isnan(*exponent)) throw Error(ExitCode::usage, "--exponent: 'nan' is not a number from 0 to 1e7");
+  if (exponent && std::isnan(*exponent))
+    throw Error(ExitCode::usage, "--exponent: 'nan' is not a number from 0 to 1e7");
   if (spp) loaded.spp = *spp;
   if (directions) loaded.directions = *directions;
   if (seed) loaded.seed = *seed;
@@ -96,19 +119,25 @@ Scene SceneOptions::load() const {
       effect.exponent_of_material = false;
     }
     if (method) effect.ssao.method = chosen<SsaoSettings::Method>("--method", *method, ssao_method_names);
-    if (quality) effect.ssao.quality = chosen<SsaoSettings::Quality>("--quality", *quality, ssao_quality_names);
+    if (quality)
+      effect.ssao.quality = chosen<SsaoSettings::Quality>("--quality", *quality, ssao_quality_names);
     if (radius) {
       const auto limit = parse_distance_limit(*radius);
       if (!limit || limit->kind == DistanceLimit::Kind::none)
-        throw Error(ExitCode::usage, fmt::format("--radius: '{}' is not auto or a distance of at least 0", *radius));
+        throw Error(ExitCode::usage,
+                    fmt::format("--radius: '{}' is not auto or a distance of at least 0", *radius));
       effect.ssao.radius = limit->kind == DistanceLimit::Kind::value ? limit->value : 0;
     }
     if (max_distance) {
       const auto limit = parse_distance_limit(*max_distance);
-      if (!limit) throw Error(ExitCode::usage, fmt::format("--max-distance: '{}' is not auto, none or a distance of at least 0", *max_distance));
+      if (!limit)
+        throw Error(
+            ExitCode::usage,
+            fmt::format("--max-distance: '{}' is not auto, none or a distance of at least 0", *max_distance));
       effect.max_distance = *limit;
     }
-    if (effect.kind != EffectKind::ro && (effect.sampling == Sampling::lobe || effect.sampling == Sampling::mixture))
+    if (effect.kind != EffectKind::ro &&
+        (effect.sampling == Sampling::lobe || effect.sampling == Sampling::mixture))
       throw Error(ExitCode::usage, fmt::format("--sampling: {} needs an RO scene", name_of(effect.sampling)));
   }
   if (size) std::tie(loaded.width, loaded.height) = parse_size(*size);
@@ -121,7 +150,8 @@ void keep_inputs(const Scene& scene, const std::filesystem::path& output) {
   const auto refuse = [&](const std::filesystem::path& input) {
     std::error_code code;
     if (std::filesystem::equivalent(input, output, code))
-      throw Error(ExitCode::output, fmt::format("{}: is the scene's own file, it would be overwritten", output.string()));
+      throw Error(ExitCode::output,
+                  fmt::format("{}: is the scene's own file, it would be overwritten", output.string()));
   };
   refuse(scene.file);
   refuse(scene.mesh_file);
@@ -129,8 +159,11 @@ void keep_inputs(const Scene& scene, const std::filesystem::path& output) {
 }
 
 void DeviceOptions::add_to(CLI::App& command) {
-  command.add_option("--device", selector, "cpu, gpu, PLATFORM:DEVICE, or a part of a name (see nook devices)")->envname("NOOK_DEVICE");
-  command.add_option("--threads", threads, "Compute units of a CPU device to use; 0: all")->envname("NOOK_THREADS");
+  command
+      .add_option("--device", selector, "cpu, gpu, PLATFORM:DEVICE, or a part of a name (see nook devices)")
+      ->envname("NOOK_DEVICE");
+  command.add_option("--threads", threads, "Compute units of a CPU device to use; 0: all")
+      ->envname("NOOK_THREADS");
 }
 
 Device DeviceOptions::open() const {
@@ -140,21 +173,31 @@ Device DeviceOptions::open() const {
 
 std::string to_toml(const Scene& s) {
   auto point = [](const vec3& p) { return fmt::format("[{}, {}, {}]", p.x, p.y, p.z); };
-  std::string out = s.instances.empty() ? fmt::format("[input]\nobjfile = \"{}\"\n\n", s.mesh_file.string()) : "";
+  std::string out =
+      s.instances.empty() ? fmt::format("[input]\nobjfile = \"{}\"\n\n", s.mesh_file.string()) : "";
   for (const Instance& i : s.instances)
-    out += fmt::format("[[instance]]\nobjfile = \"{}\"\ntranslate = {}\nrotate = {}\nscale = {}\n\n", i.mesh_file.string(), point(i.translate),
-                       point(i.rotate), point(i.scale));
-  const auto or_auto = [](const std::optional<float>& value) { return value ? fmt::format("{}", *value) : "\"auto\""; };
-  if (s.ground) out += fmt::format("[ground]\nheight = {}\nreach = {}\n\n", or_auto(s.ground->height), or_auto(s.ground->reach));
+    out += fmt::format("[[instance]]\nobjfile = \"{}\"\ntranslate = {}\nrotate = {}\nscale = {}\n\n",
+                       i.mesh_file.string(), point(i.translate), point(i.rotate), point(i.scale));
+  const auto or_auto = [](const std::optional<float>& value) {
+    return value ? fmt::format("{}", *value) : "\"auto\"";
+  };
+  if (s.ground)
+    out += fmt::format("[ground]\nheight = {}\nreach = {}\n\n", or_auto(s.ground->height),
+                       or_auto(s.ground->reach));
   if (!s.automatic_camera)
-    out += fmt::format("[camera]\neye = {}\nat = {}\nup = {}\nfov = {}\n\n", point(s.camera.eye), point(s.camera.at), point(s.camera.up), s.camera.fov);
+    out += fmt::format("[camera]\neye = {}\nat = {}\nup = {}\nfov = {}\n\n", point(s.camera.eye),
+                       point(s.camera.at), point(s.camera.up), s.camera.fov);
   out += fmt::format("[film]\nwidth = {}\nheight = {}\n", s.width, s.height);
-  if (s.crop) out += fmt::format("crop = [{}, {}, {}, {}]  # x0, x1, y0, y1\n", s.crop->x0, s.crop->x1, s.crop->y0, s.crop->y1);
+  if (s.crop)
+    out += fmt::format("crop = [{}, {}, {}, {}]  # x0, x1, y0, y1\n", s.crop->x0, s.crop->x1, s.crop->y0,
+                       s.crop->y1);
   const bool single = s.effects.size() == 1 && s.effects.front().name.empty();
   out += fmt::format("\n[renderer]\nrealtime = {}\n", s.realtime);
   if (single) out += effect_toml(s.effects.front());
-  if (std::any_of(s.effects.begin(), s.effects.end(), [](const Effect& e) { return e.kind != EffectKind::ssao; }))
-    out += fmt::format("spp = {}\ndirections = {}\nsampler = \"{}\"\nseed = {}\n", s.spp, s.directions, name_of(s.sampler), s.seed);
+  if (std::any_of(s.effects.begin(), s.effects.end(),
+                  [](const Effect& e) { return e.kind != EffectKind::ssao; }))
+    out += fmt::format("spp = {}\ndirections = {}\nsampler = \"{}\"\nseed = {}\n", s.spp, s.directions,
+                       name_of(s.sampler), s.seed);
   if (s.compat_tinyrender) out += "compat = \"tinyrender\"\n";
   if (single) return out;
   for (const Effect& effect : s.effects) {

@@ -12,7 +12,8 @@
 
 namespace nook {
 
-/// The command-line options that override a scene. Precedence: flag, environment (NOOK_SPP for --spp), scene, default.
+/// The command-line options that override a scene. Precedence: flag, environment (NOOK_SPP for --spp), scene,
+/// default.
 struct SceneOptions {
   std::filesystem::path scene;
   std::optional<std::uint32_t> spp, directions, seed;
@@ -22,11 +23,13 @@ struct SceneOptions {
 
   /// Adds SCENE and the options to a subcommand.
   void add_to(CLI::App& command);
-  /// Loads the scene (TOML, or a bare OBJ), applies the overrides, validates. Throws Error(usage) or Error(scene).
+  /// Loads the scene (TOML, or a bare OBJ), applies the overrides, validates. Throws Error(usage) or
+  /// Error(scene).
   Scene load() const;
 };
 
-/// Throws Error(output) if `output` is the scene file or one of its meshes: a slip of the hand that would cost the user's work.
+/// Throws Error(output) if `output` is the scene file or one of its meshes: a slip of the hand that would
+/// cost the user's work.
 void keep_inputs(const Scene& scene, const std::filesystem::path& output);
 
 /// --device and --threads.

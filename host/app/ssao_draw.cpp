@@ -18,7 +18,8 @@ std::vector<float> cut(const Plan& plan, Get get) {
   std::vector<float> values;
   values.reserve(std::size_t(plan.window.width()) * std::size_t(plan.window.height()));
   for (int y = plan.window.y0; y < plan.window.y1; ++y)
-    for (int x = plan.window.x0; x < plan.window.x1; ++x) values.push_back(get(std::size_t(y) * std::size_t(plan.width) + std::size_t(x)));
+    for (int x = plan.window.x0; x < plan.window.x1; ++x)
+      values.push_back(get(std::size_t(y) * std::size_t(plan.width) + std::size_t(x)));
   return values;
 }
 
@@ -29,7 +30,8 @@ void add_vectors(const Plan& plan, const std::string& layer, const std::vector<v
 }
 
 void add_surface(const Plan& plan, const AovRequest& aovs, const SsaoFrame& frame, Image& image) {
-  if (aovs.alpha) image.channels.push_back({"A", cut(plan, [&](std::size_t i) { return frame.coverage[i]; })});
+  if (aovs.alpha)
+    image.channels.push_back({"A", cut(plan, [&](std::size_t i) { return frame.coverage[i]; })});
   if (aovs.normal) add_vectors(plan, "N", frame.normals, image);
   if (aovs.position) add_vectors(plan, "P", frame.positions, image);
   const vec3 eye(plan.camera.eye[0], plan.camera.eye[1], plan.camera.eye[2]);
@@ -53,10 +55,12 @@ void keep_fastest(SsaoRecord& record, const SsaoFrame& frame) {
 
 }  // namespace
 
-void draw_ssao(const Scene& scene, const TriangleMesh& mesh, const AovRequest& aovs, unsigned frames, RunRecord& record, Image& image) {
+void draw_ssao(const Scene& scene, const TriangleMesh& mesh, const AovRequest& aovs, unsigned frames,
+               RunRecord& record, Image& image) {
   const Plan& plan = record.plan;
   const bool alone = !plan.needs_opencl();
-  if (alone && (aovs.variance || aovs.samples)) throw Error(ExitCode::usage, "--aov: SSAO has no variance and no samples channel");
+  if (alone && (aovs.variance || aovs.samples))
+    throw Error(ExitCode::usage, "--aov: SSAO has no variance and no samples channel");
   SsaoRenderer renderer(mesh);
   if (alone) {
     image.width = plan.window.width();
@@ -76,25 +80,30 @@ void draw_ssao(const Scene& scene, const TriangleMesh& mesh, const AovRequest& a
     drawn.plan.as_published = scene.compat_tinyrender && !settings.quality;
     drawn.frames = frames;
     const bool surface = alone && record.ssao.size() == 1;
-    const SsaoOutputs outputs{.positions = surface && (aovs.position || aovs.depth), .normals = surface && aovs.normal};
+    const SsaoOutputs outputs{.positions = surface && (aovs.position || aovs.depth),
+                              .normals = surface && aovs.normal};
     SsaoFrame frame;
     for (unsigned i = 0; i < frames; ++i) {
-      frame = renderer.render(resolve_camera(scene, mesh.subject_bounds()), drawn.plan, scene.width, scene.height, outputs);
+      frame = renderer.render(resolve_camera(scene, mesh.subject_bounds()), drawn.plan, scene.width,
+                              scene.height, outputs);
       keep_fastest(drawn, frame);
     }
     const std::vector<float> value = cut(plan, [&](std::size_t i) { return frame.occlusion[i]; });
-    for (const char* channel : {"R", "G", "B"}) image.channels.push_back({(layer.main ? "" : layer.prefix) + channel, value});
+    for (const char* channel : {"R", "G", "B"})
+      image.channels.push_back({(layer.main ? "" : layer.prefix) + channel, value});
     if (surface) add_surface(plan, aovs, frame, image);
   }
 }
 
 void announce_ssao(const RunRecord& record) {
   for (const SsaoRecord& drawn : record.ssao) {
-    fmt::print(stderr, "ssao {}x{}, {} triangles, {}, radius {:.6g} world units: {:.1f} ms a frame, {:.1f} fps (", record.plan.width,
-               record.plan.height, record.triangles, name_of(drawn.plan.method), drawn.plan.radius, 1e3 * drawn.seconds_per_frame,
-               1 / std::max(drawn.seconds_per_frame, 1e-9));
+    fmt::print(stderr,
+               "ssao {}x{}, {} triangles, {}, radius {:.6g} world units: {:.1f} ms a frame, {:.1f} fps (",
+               record.plan.width, record.plan.height, record.triangles, name_of(drawn.plan.method),
+               drawn.plan.radius, 1e3 * drawn.seconds_per_frame, 1 / std::max(drawn.seconds_per_frame, 1e-9));
     for (std::size_t i = 0; i < drawn.passes.size(); ++i)
-      fmt::print(stderr, "{}{} {:.1f}", i == 0 ? "" : ", ", drawn.passes[i].pass, 1e3 * drawn.passes[i].seconds);
+      fmt::print(stderr, "{}{} {:.1f}", i == 0 ? "" : ", ", drawn.passes[i].pass,
+                 1e3 * drawn.passes[i].seconds);
     fmt::print(stderr, " ms)\n");
   }
 }

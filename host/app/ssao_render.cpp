@@ -17,12 +17,15 @@
 namespace nook {
 
 bool is_ssao_alone(const Scene& scene) {
-  return std::all_of(scene.effects.begin(), scene.effects.end(), [](const Effect& e) { return e.kind == EffectKind::ssao; });
+  return std::all_of(scene.effects.begin(), scene.effects.end(),
+                     [](const Effect& e) { return e.kind == EffectKind::ssao; });
 }
 
 int render_ssao(const Scene& scene, const SsaoRun& run) {
   using Clock = std::chrono::steady_clock;
-  const auto seconds_since = [](Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const auto seconds_since = [](Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
   const Clock::time_point start = Clock::now();
   RunRecord record;
   record.scene_file = run.scene_file.string();
@@ -50,8 +53,8 @@ int render_ssao(const Scene& scene, const SsaoRun& run) {
   record.libraries = mapped_libraries();
   if (!run.stats.empty()) write_stats(run.stats, record);
   if (!run.quiet)
-    fmt::print(stderr, "{}: load {:.2f} s, render {:.2f} s, write {:.2f} s\n", run.output.string(), record.seconds.load,
-               record.seconds.render, record.seconds.write);
+    fmt::print(stderr, "{}: load {:.2f} s, render {:.2f} s, write {:.2f} s\n", run.output.string(),
+               record.seconds.load, record.seconds.render, record.seconds.write);
   return 0;
 }
 

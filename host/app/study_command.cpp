@@ -61,13 +61,15 @@ StudyChoice choice_of(const StudyOptions& options, EffectKind kind) {
 // A size of about `pixels` with the scene's aspect, never more than the scene's own.
 std::pair<int, int> size_of(const Scene& scene, double pixels) {
   const double scale = std::min(1.0, std::sqrt(pixels / (double(scene.width) * scene.height)));
-  return {std::max(8, int(std::lround(scene.width * scale))), std::max(8, int(std::lround(scene.height * scale)))};
+  return {std::max(8, int(std::lround(scene.width * scale))),
+          std::max(8, int(std::lround(scene.height * scale)))};
 }
 
 StudyReference given_reference(const fs::path& file, int width, int height) {
   const Image image = read_exr(file);
   if (image.width != width || image.height != height)
-    throw Error(ExitCode::scene, fmt::format("{}: is {}x{}, the study is {}x{} (--size sets it)", file.string(), image.width, image.height, width, height));
+    throw Error(ExitCode::scene, fmt::format("{}: is {}x{}, the study is {}x{} (--size sets it)",
+                                             file.string(), image.width, image.height, width, height));
   const auto plane = [&](const char* name) -> const std::vector<float>* {
     const Channel* channel = image.find(name);
     return channel ? std::get_if<std::vector<float>>(&channel->values) : nullptr;
@@ -77,12 +79,14 @@ StudyReference given_reference(const fs::path& file, int width, int height) {
   reference.image = *plane("R");
   if (const auto* variance = plane("AO.variance")) reference.variance = *variance;
   reference.description = file.string();
-  if (const auto spp = image.metadata.find("nook/spp"); spp != image.metadata.end()) reference.spp = std::strtoull(spp->second.c_str(), nullptr, 10);
+  if (const auto spp = image.metadata.find("nook/spp"); spp != image.metadata.end())
+    reference.spp = std::strtoull(spp->second.c_str(), nullptr, 10);
   return reference;
 }
 
 // DIR/reference.exr, if it is of this study; otherwise made and kept there.
-StudyReference cached_reference(const StudyScene& scene, const fs::path& file, const std::string& identity, double seconds) {
+StudyReference cached_reference(const StudyScene& scene, const fs::path& file, const std::string& identity,
+                                double seconds) {
   std::error_code code;
   if (fs::exists(file, code)) {
     const Image image = read_exr(file);
@@ -109,18 +113,23 @@ StudyReference cached_reference(const StudyScene& scene, const fs::path& file, c
 }
 
 std::string distance_text(const EffectPlan& effect) {
-  return std::isinf(effect.max_distance) ? "unlimited" : fmt::format("{:.6g} world units", effect.max_distance);
+  return std::isinf(effect.max_distance) ? "unlimited"
+                                         : fmt::format("{:.6g} world units", effect.max_distance);
 }
 
-StudyFacts facts_of(const StudyOptions& options, const Scene& scene, const StudyScene& study, const TriangleMesh& mesh, const DeviceInfo& device) {
+StudyFacts facts_of(const StudyOptions& options, const Scene& scene, const StudyScene& study,
+                    const TriangleMesh& mesh, const DeviceInfo& device) {
   const Effect& effect = study.effect().effect;
-  std::string command = fmt::format("nook study {} --budget {} --seed {}", options.scene.scene.string(), options.budget, scene.seed);
+  std::string command = fmt::format("nook study {} --budget {} --seed {}", options.scene.scene.string(),
+                                    options.budget, scene.seed);
   if (!options.samplers.empty()) command += fmt::format(" --samplers {}", fmt::join(options.samplers, ","));
-  if (!options.samplings.empty()) command += fmt::format(" --samplings {}", fmt::join(options.samplings, ","));
+  if (!options.samplings.empty())
+    command += fmt::format(" --samplings {}", fmt::join(options.samplings, ","));
   if (options.scene.size) command += " --size " + *options.scene.size;
   return {{"scene", options.scene.scene.filename().string()},
-          {"effect", fmt::format("{}, distance {}{}", name_of(effect.kind), distance_text(study.effect()),
-                                 effect.kind == EffectKind::ro ? fmt::format(", exponent {}", effect.exponent) : "")},
+          {"effect",
+           fmt::format("{}, distance {}{}", name_of(effect.kind), distance_text(study.effect()),
+                       effect.kind == EffectKind::ro ? fmt::format(", exponent {}", effect.exponent) : "")},
           {"size", fmt::format("{}x{}", study.width(), study.height())},
           {"triangles", std::to_string(mesh.triangles.size())},
           {"device", device.name},
@@ -141,24 +150,29 @@ int study(const StudyOptions& options) {
   };
   const Scene scene = options.scene.load();
   const StudyChoice choice = choice_of(options, scene.effects.front().kind);
-  const fs::path folder = options.folder.empty() ? fs::path(options.scene.scene.stem().string() + "_study") : options.folder;
+  const fs::path folder =
+      options.folder.empty() ? fs::path(options.scene.scene.stem().string() + "_study") : options.folder;
   std::error_code code;
   fs::create_directories(folder, code);
-  if (!fs::is_directory(folder, code)) throw Error(ExitCode::output, fmt::format("{}: cannot make the folder", folder.string()));
+  if (!fs::is_directory(folder, code))
+    throw Error(ExitCode::output, fmt::format("{}: cannot make the folder", folder.string()));
 
   const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene, false));
   const Device device = options.device.open();
   const Bvh bvh = build_bvh(mesh);
   catch_interrupts();
 
-  // As many pixels as the budget can afford; the size of an earlier study in the folder, so that it can go on.
+  // As many pixels as the budget can afford; the size of an earlier study in the folder, so that it can go
+  // on.
   const StudyScene pilot(device, scene, mesh, bvh, size_of(scene, 20000).first, size_of(scene, 20000).second);
   const double rate = pilot.samples_per_second();
   std::pair<int, int> size{scene.width, scene.height};
   const fs::path json = folder / "study.json", reference_file = folder / "reference.exr";
-  const std::vector<std::string> identity = {"scene", "effect", "size", "device", "driver", "nook", "scene hash", "mesh hash"};
+  const std::vector<std::string> identity = {"scene",  "effect", "size",       "device",
+                                             "driver", "nook",   "scene hash", "mesh hash"};
   if (!options.scene.size) {
-    size = size_of(scene, std::max(2000.0, rate * options.budget * runs_share / samples_per_pixel(pilot.methods(choice))));
+    size = size_of(scene, std::max(2000.0, rate * options.budget * runs_share /
+                                               samples_per_pixel(pilot.methods(choice))));
     if (fs::exists(json, code) && fs::exists(reference_file, code)) {
       const Image before = read_exr(reference_file);
       size = {before.width, before.height};
@@ -166,17 +180,23 @@ int study(const StudyOptions& options) {
   }
   const StudyScene at_size(device, scene, mesh, bvh, size.first, size.second);
   const StudyFacts facts = facts_of(options, scene, at_size, mesh, device.info());
-  say(fmt::format("{} {}x{}, {:.2f} million camera samples a second", name_of(at_size.effect().effect.kind), size.first, size.second, rate * 1e-6));
+  say(fmt::format("{} {}x{}, {:.2f} million camera samples a second", name_of(at_size.effect().effect.kind),
+                  size.first, size.second, rate * 1e-6));
   std::string cache_key;
   for (const auto& [name, text] : facts)
-    if (std::find(identity.begin(), identity.end(), name) != identity.end()) cache_key += name + "=" + text + ";";
-  StudyReference reference = options.reference.empty() ? cached_reference(at_size, reference_file, cache_key, reference_share * options.budget)
-                                                       : given_reference(options.reference, size.first, size.second);
+    if (std::find(identity.begin(), identity.end(), name) != identity.end())
+      cache_key += name + "=" + text + ";";
+  StudyReference reference =
+      options.reference.empty()
+          ? cached_reference(at_size, reference_file, cache_key, reference_share * options.budget)
+          : given_reference(options.reference, size.first, size.second);
   say(fmt::format("reference: {}", reference.description));
 
-  Study made(at_size.methods(choice), std::move(reference), {.seconds = runs_share * options.budget, .seed = scene.seed + 1});
+  Study made(at_size.methods(choice), std::move(reference),
+             {.seconds = runs_share * options.budget, .seed = scene.seed + 1});
   made.resume(read_study_points(json, facts, identity));
-  say(fmt::format("{} methods, {:.0f} % of their runs are there", made.methods().size(), 100 * made.progress()));
+  say(fmt::format("{} methods, {:.0f} % of their runs are there", made.methods().size(),
+                  100 * made.progress()));
   double last_saved = elapsed(), last_said = elapsed();
   const bool finished = made.run([&](const Study& s) {
     if (elapsed() - last_saved > 10) {
@@ -191,13 +211,16 @@ int study(const StudyOptions& options) {
   });
   write_study_json(json, made, facts);
   write_study_csv(folder / "study.csv", made);
-  if (!finished) throw Error(ExitCode::interrupted, fmt::format("interrupted; the same command goes on from {}", json.string()));
+  if (!finished)
+    throw Error(ExitCode::interrupted,
+                fmt::format("interrupted; the same command goes on from {}", json.string()));
   say(fmt::format("{:.0f} % of the runs", 100 * made.progress()));
 
   Gallery gallery;
   if (options.gallery) {
     const double share = gallery_share * options.budget;
-    std::tie(gallery.width, gallery.height) = size_of(scene, std::clamp(rate * share / 1200, 2000.0, 480.0 * 360.0));
+    std::tie(gallery.width, gallery.height) =
+        size_of(scene, std::clamp(rate * share / 1200, 2000.0, 480.0 * 360.0));
     const StudyScene picture(device, scene, mesh, bvh, gallery.width, gallery.height);
     gallery.pictures = make_gallery(picture, share, scene.seed + 1);
     say(fmt::format("pictures of {}x{}", gallery.width, gallery.height));
@@ -213,15 +236,22 @@ int study(const StudyOptions& options) {
 
 void add_study_command(CLI::App& app, Command& chosen_command) {
   auto options = std::make_shared<StudyOptions>();
-  CLI::App* command = app.add_subcommand("study", "Measure what accuracy costs in time; writes study.json, study.csv and index.html");
+  CLI::App* command = app.add_subcommand(
+      "study", "Measure what accuracy costs in time; writes study.json, study.csv and index.html");
   options->scene.add_to(*command);
   options->device.add_to(*command);
-  command->add_option("-o,--output", options->folder, "Folder; default: SCENE_study here. A study that is there goes on");
-  command->add_option("--budget", options->budget, "Seconds, about; default 120")->check(CLI::Range(1.0, 1e6));
-  command->add_option("--samplers", options->samplers, "Point sequences to compare; default: all")->delimiter(',');
-  command->add_option("--samplings", options->samplings, "Distributions to compare; default: all")->delimiter(',');
-  command->add_option("--max-spp", options->max_spp, "Largest number of camera rays a pixel; default 1024")->check(CLI::Range(1, 1 << 20));
-  command->add_option("--reference", options->reference, "EXR to measure errors against (R, and AO.variance if there is one)");
+  command->add_option("-o,--output", options->folder,
+                      "Folder; default: SCENE_study here. A study that is there goes on");
+  command->add_option("--budget", options->budget, "Seconds, about; default 120")
+      ->check(CLI::Range(1.0, 1e6));
+  command->add_option("--samplers", options->samplers, "Point sequences to compare; default: all")
+      ->delimiter(',');
+  command->add_option("--samplings", options->samplings, "Distributions to compare; default: all")
+      ->delimiter(',');
+  command->add_option("--max-spp", options->max_spp, "Largest number of camera rays a pixel; default 1024")
+      ->check(CLI::Range(1, 1 << 20));
+  command->add_option("--reference", options->reference,
+                      "EXR to measure errors against (R, and AO.variance if there is one)");
   command->add_flag("--gallery,!--no-gallery", options->gallery, "Pictures on the page; on by default");
   command->add_flag("--quiet", options->quiet, "Say nothing but errors");
   command->callback([options, &chosen_command] { chosen_command = [options] { return study(*options); }; });

@@ -28,12 +28,14 @@ struct TargetOptions {
   Plan plan_for(const Plan& plan) const;
 };
 
-/// A moment to be finished by, and when to stop for it, given that at the end of each launch another is already under way.
+/// A moment to be finished by, and when to stop for it, given that at the end of each launch another is
+/// already under way.
 class Deadline {
  public:
   using Clock = std::chrono::steady_clock;
   /// seconds from `start`; none: never.
-  Deadline(Clock::time_point start, std::optional<double> seconds) : start_(start), seconds_(seconds), last_(Clock::now()) {}
+  Deadline(Clock::time_point start, std::optional<double> seconds)
+      : start_(start), seconds_(seconds), last_(Clock::now()) {}
   /// True when to stop now ends nearer to that moment than to go on. Call it after each launch.
   bool reached();
 
@@ -44,14 +46,16 @@ class Deadline {
   int launches_ = 0;
 };
 
-/// The schedule of a render that ends by time: 1, 2, 4, ... samples of every pixel, so that the picture is even whenever it ends.
+/// The schedule of a render that ends by time: 1, 2, 4, ... samples of every pixel, so that the picture is
+/// even whenever it ends.
 Session::Schedule doublings();
 
 /// What a render that ended by time has reached, by the films' own variances.
 ErrorRecord error_of(std::span<const Film> films);
 
 /// Runs to the error or the deadline. Throws Error(interrupted).
-AdaptiveResult render_to_error(AdaptiveRender& render, const PathTracer& tracer, Deadline deadline, ProgressMode mode);
+AdaptiveResult render_to_error(AdaptiveRender& render, const PathTracer& tracer, Deadline deadline,
+                               ProgressMode mode);
 
 /// Says what was reached. Returns the exit code: ExitCode::target if less was asked for.
 int announce_error(const ErrorRecord& error, bool quiet);

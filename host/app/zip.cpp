@@ -34,7 +34,8 @@ la_ssize_t append(archive* zip, void* file, const void* data, std::size_t bytes)
 }  // namespace
 
 void write_zip(const std::filesystem::path& path, const std::vector<ArchiveEntry>& entries) {
-  constexpr std::time_t first_zip_time = 315532800 + 43200;  // 1980-01-01 12:00 UTC: the same day in every time zone
+  constexpr std::time_t first_zip_time =
+      315532800 + 43200;  // 1980-01-01 12:00 UTC: the same day in every time zone
   PendingFile file(path);
   const std::unique_ptr<archive, FreeArchive> zip(archive_write_new());
   auto check = [&](int code) {
@@ -52,7 +53,9 @@ void write_zip(const std::filesystem::path& path, const std::vector<ArchiveEntry
     archive_entry_set_mtime(entry.get(), first_zip_time, 0);
     archive_entry_set_size(entry.get(), la_int64_t(item.bytes.size()));
     check(archive_write_header(zip.get(), entry.get()));
-    if (!folder && archive_write_data(zip.get(), item.bytes.data(), item.bytes.size()) != la_ssize_t(item.bytes.size())) check(ARCHIVE_FATAL);
+    if (!folder &&
+        archive_write_data(zip.get(), item.bytes.data(), item.bytes.size()) != la_ssize_t(item.bytes.size()))
+      check(ARCHIVE_FATAL);
   }
   check(archive_write_close(zip.get()));
   file.commit();

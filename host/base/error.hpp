@@ -8,12 +8,12 @@ namespace nook {
 /// What the process returns; documented in the README and in `nook --help`.
 enum class ExitCode : int {
   ok = 0,
-  internal = 1,     ///< a defect in nook
-  usage = 2,        ///< command line
-  scene = 3,        ///< scene file, mesh, material, points
-  device = 4,       ///< OpenCL or OpenGL
-  target = 5,       ///< an error or time target was missed
-  output = 6,       ///< a file could not be written
+  internal = 1,  ///< a defect in nook
+  usage = 2,     ///< command line
+  scene = 3,     ///< scene file, mesh, material, points
+  device = 4,    ///< OpenCL or OpenGL
+  target = 5,    ///< an error or time target was missed
+  output = 6,    ///< a file could not be written
   interrupted = 130
 };
 

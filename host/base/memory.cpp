@@ -35,8 +35,9 @@ std::uint64_t system_memory() {
 // What a control group (a container, a batch job) leaves of its limit; version 2, then version 1.
 std::uint64_t group_memory() {
   std::uint64_t left = unlimited;
-  const char* const files[][2] = {{"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory.current"},
-                                  {"/sys/fs/cgroup/memory/memory.limit_in_bytes", "/sys/fs/cgroup/memory/memory.usage_in_bytes"}};
+  const char* const files[][2] = {
+      {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory.current"},
+      {"/sys/fs/cgroup/memory/memory.limit_in_bytes", "/sys/fs/cgroup/memory/memory.usage_in_bytes"}};
   for (const auto& [limit_file, usage_file] : files) {
     const std::uint64_t limit = number_in(limit_file), usage = number_in(usage_file);
     if (limit != unlimited && usage != unlimited) left = std::min(left, limit - std::min(limit, usage));
@@ -46,14 +47,16 @@ std::uint64_t group_memory() {
 
 }  // namespace
 
-std::uint64_t available_memory() { return std::min(system_memory(), group_memory()); }
+std::uint64_t available_memory() {
+  return std::min(system_memory(), group_memory());
+}
 
 void check_memory(std::uint64_t bytes, const std::string& what, const std::string& remedy) {
   const std::uint64_t free = available_memory();
   constexpr double gibibyte = double(1u << 30);
   if (bytes > free)
-    throw Error(ExitCode::device, fmt::format("{} needs {:.1f} GiB of memory, {:.1f} GiB are free: {}", what, double(bytes) / gibibyte,
-                                              double(free) / gibibyte, remedy));
+    throw Error(ExitCode::device, fmt::format("{} needs {:.1f} GiB of memory, {:.1f} GiB are free: {}", what,
+                                              double(bytes) / gibibyte, double(free) / gibibyte, remedy));
 }
 
 }  // namespace nook

@@ -5,8 +5,8 @@
 
 namespace nook {
 
-/// Bytes that this process can still take without pushing others out: what the kernel calls available, less where a control group
-/// sets a lower limit.
+/// Bytes that this process can still take without pushing others out: what the kernel calls available, less
+/// where a control group sets a lower limit.
 std::uint64_t available_memory();
 
 /// Throws Error(device) "<what> needs 120.5 GiB of memory, 12.1 GiB are free: <remedy>" if it does not fit.

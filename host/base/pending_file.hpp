@@ -26,7 +26,8 @@ class PendingFile {
   void write(const void* data, std::size_t bytes);
   void seek(std::size_t position);
   std::size_t position() const { return position_; }
-  /// Waits until what is written is on the disk: after commit() even a power cut leaves the old file or the new one.
+  /// Waits until what is written is on the disk: after commit() even a power cut leaves the old file or the
+  /// new one.
   void sync();
   void commit();
 

@@ -71,8 +71,9 @@ class Builder {
     if (rule_ == SplitRule::surface_area) {
       const Split split = best_split(range, centers);
       if (split.axis >= 0) {
-        const auto middle = std::partition(range.begin(), range.end(),
-                                           [&](const Reference& r) { return split.bin_of(r.center()) < split.bin; });
+        const auto middle = std::partition(range.begin(), range.end(), [&](const Reference& r) {
+          return split.bin_of(r.center()) < split.bin;
+        });
         const auto left = std::uint32_t(middle - range.begin());
         if (left > 0 && left < range.size()) return left;
       }
@@ -140,8 +141,8 @@ class Builder {
 
 }  // namespace
 
-BinaryTree build_binary_tree(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles, SplitRule rule,
-                             unsigned threads) {
+BinaryTree build_binary_tree(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles,
+                             SplitRule rule, unsigned threads) {
   BinaryTree tree;
   if (triangles.empty()) return tree;
   std::vector<Reference> references(triangles.size());

@@ -9,9 +9,9 @@
 
 namespace nook {
 
-/// A node of the binary tree that the wide tree is collapsed from. A subtree over n triangles occupies 2n-1 places of
-/// the node array from its root on: left child next, right child 2 * (left child's count) places on. So the place
-/// of a node depends on its triangles alone, not on which thread got there first.
+/// A node of the binary tree that the wide tree is collapsed from. A subtree over n triangles occupies 2n-1
+/// places of the node array from its root on: left child next, right child 2 * (left child's count) places
+/// on. So the place of a node depends on its triangles alone, not on which thread got there first.
 struct BinaryNode {
   Bounds3 box;
   std::uint32_t first = 0;  ///< of BinaryTree::triangles
@@ -35,8 +35,9 @@ enum class SplitRule {
   median         ///< object median along the longest axis: a balanced tree, whatever the mesh
 };
 
-/// Splits down to single triangles. `triangles` are indices into mesh.triangles. The result does not depend on `threads` (at least 1).
-BinaryTree build_binary_tree(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles, SplitRule rule,
-                             unsigned threads);
+/// Splits down to single triangles. `triangles` are indices into mesh.triangles. The result does not depend
+/// on `threads` (at least 1).
+BinaryTree build_binary_tree(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles,
+                             SplitRule rule, unsigned threads);
 
 }  // namespace nook

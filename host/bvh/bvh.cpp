@@ -27,7 +27,8 @@ bool can_be_hit(const TriangleMesh& mesh, std::uint32_t triangle) {
 
 Bvh build(const TriangleMesh& mesh, const BvhOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  const unsigned threads = options.threads ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+  const unsigned threads =
+      options.threads ? options.threads : std::max(1u, std::thread::hardware_concurrency());
   std::vector<std::uint32_t> triangles;
   triangles.reserve(mesh.triangles.size());
   for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)

@@ -16,7 +16,8 @@ struct BvhOptions {
 // The kernels' layout: no padding anywhere.
 static_assert(sizeof(BvhNode) == 7 * BVH_WIDTH * 4 && offsetof(BvhNode, hi) == 3 * BVH_WIDTH * 4 &&
               offsetof(BvhNode, child) == 6 * BVH_WIDTH * 4);
-static_assert(sizeof(TriangleLeaf) == 10 * BVH_LEAF_WIDTH * 4 && offsetof(TriangleLeaf, triangle) == 9 * BVH_LEAF_WIDTH * 4);
+static_assert(sizeof(TriangleLeaf) == 10 * BVH_LEAF_WIDTH * 4 &&
+              offsetof(TriangleLeaf, triangle) == 9 * BVH_LEAF_WIDTH * 4);
 
 /// A wide bounding volume hierarchy, flattened into the structs of kernels/shared/bvh.h, ready to upload.
 struct Bvh {
@@ -25,7 +26,7 @@ struct Bvh {
   struct Statistics {
     double build_seconds = 0;
     double collapse_seconds = 0;
-    unsigned depth = 0;          ///< levels, for the traversal stack's size
+    unsigned depth = 0;  ///< levels, for the traversal stack's size
     double sah_cost = 0;
     double triangles_per_leaf = 0;
   } statistics;
@@ -33,8 +34,8 @@ struct Bvh {
   std::size_t bytes() const { return nodes.size() * sizeof(BvhNode) + leaves.size() * sizeof(TriangleLeaf); }
 };
 
-/// Builds over all triangles of non-zero extent and finite vertices. Deterministic: the same mesh gives the same bytes
-/// whatever the thread count. Throws Error(device) if memory runs out.
+/// Builds over all triangles of non-zero extent and finite vertices. Deterministic: the same mesh gives the
+/// same bytes whatever the thread count. Throws Error(device) if memory runs out.
 Bvh build_bvh(const TriangleMesh& mesh, const BvhOptions& options = {});
 
 }  // namespace nook

@@ -16,10 +16,12 @@ constexpr float leaf_cost = 1.2f;
 
 /// Costs of a subtree that is represented by at most k roots, k = 1 to width; each root is a leaf or a node.
 struct Choice {
-  std::array<float, width> cost;           ///< [k-1]
-  std::array<std::uint8_t, width> left{};  ///< [k-1]: roots given to the left child; 0: the same as with k-1 roots
-  std::uint8_t open_left = 0, open_right = 0;  ///< roots that the children get where this subtree's root is a node
-  bool as_leaf = false;                        ///< how one root is made
+  std::array<float, width> cost;  ///< [k-1]
+  std::array<std::uint8_t, width>
+      left{};  ///< [k-1]: roots given to the left child; 0: the same as with k-1 roots
+  std::uint8_t open_left = 0,
+               open_right = 0;  ///< roots that the children get where this subtree's root is a node
+  bool as_leaf = false;         ///< how one root is made
 };
 
 float half_area(const Bounds3& b) {
@@ -97,7 +99,8 @@ class Collapser {
     choice.open_left = choice.left[open - 1];
     choice.open_right = std::uint8_t(open - choice.open_left);
     const float as_node = area * node_cost + choice.cost[width - 1];
-    const float as_leaf = node.count <= BVH_LEAF_WIDTH ? area * leaf_cost : std::numeric_limits<float>::infinity();
+    const float as_leaf =
+        node.count <= BVH_LEAF_WIDTH ? area * leaf_cost : std::numeric_limits<float>::infinity();
     choice.as_leaf = as_leaf <= as_node;
     choice.cost[0] = std::min(as_leaf, as_node);
     // One root may be cheaper than several.
@@ -154,11 +157,13 @@ class Collapser {
       const std::uint32_t child = children[i];
       const Bounds3& box = tree_.nodes[child].box;
       for (int axis = 0; axis < 3; ++axis) {
-        bvh_.nodes[target].lo[axis][i] = std::nextafter(box.lo[axis], -std::numeric_limits<float>::infinity());
+        bvh_.nodes[target].lo[axis][i] =
+            std::nextafter(box.lo[axis], -std::numeric_limits<float>::infinity());
         bvh_.nodes[target].hi[axis][i] = std::nextafter(box.hi[axis], std::numeric_limits<float>::infinity());
       }
       const bool as_leaf = choices_[child].as_leaf;
-      if (root_area > 0) bvh_.statistics.sah_cost += (as_leaf ? leaf_cost : node_cost) * area(child) / root_area;
+      if (root_area > 0)
+        bvh_.statistics.sah_cost += (as_leaf ? leaf_cost : node_cost) * area(child) / root_area;
       if (as_leaf) {
         bvh_.nodes[target].child[i] = make_leaf(child);
       } else {
@@ -180,6 +185,8 @@ class Collapser {
 
 }  // namespace
 
-Bvh collapse(const BinaryTree& tree, const TriangleMesh& mesh) { return Collapser(tree, mesh).run(); }
+Bvh collapse(const BinaryTree& tree, const TriangleMesh& mesh) {
+  return Collapser(tree, mesh).run();
+}
 
 }  // namespace nook

@@ -22,7 +22,8 @@ std::string text_of(Get get) {
 }
 
 std::string device_text(cl_device_id id, cl_device_info what) {
-  return text_of([&](std::size_t n, void* p, std::size_t* used) { opencl().clGetDeviceInfo(id, what, n, p, used); });
+  return text_of(
+      [&](std::size_t n, void* p, std::size_t* used) { opencl().clGetDeviceInfo(id, what, n, p, used); });
 }
 
 template <class T>
@@ -54,7 +55,8 @@ DeviceInfo describe(cl_platform_id platform, cl_device_id id) {
 }
 
 std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
   return text;
 }
 
@@ -68,7 +70,8 @@ std::vector<DeviceInfo> list_devices() {
   opencl().clGetPlatformIDs(platform_count, platforms.data(), nullptr);
   for (unsigned p = 0; p < platform_count; ++p) {
     cl_uint device_count = 0;
-    if (opencl().clGetDeviceIDs(platforms[p], CL_DEVICE_TYPE_ALL, 0, nullptr, &device_count) != CL_SUCCESS) continue;
+    if (opencl().clGetDeviceIDs(platforms[p], CL_DEVICE_TYPE_ALL, 0, nullptr, &device_count) != CL_SUCCESS)
+      continue;
     std::vector<cl_device_id> ids(device_count);
     opencl().clGetDeviceIDs(platforms[p], CL_DEVICE_TYPE_ALL, device_count, ids.data(), nullptr);
     for (unsigned d = 0; d < device_count; ++d) {
@@ -83,21 +86,25 @@ std::vector<DeviceInfo> list_devices() {
 DeviceInfo select_device(const std::string& selector) {
   const std::vector<DeviceInfo> devices = list_devices();
   if (devices.empty())
-    throw Error(ExitCode::device,
-                "no OpenCL device found; on Debian: apt-get install pocl-opencl-icd (`nook doctor` says more)");
+    throw Error(
+        ExitCode::device,
+        "no OpenCL device found; on Debian: apt-get install pocl-opencl-icd (`nook doctor` says more)");
   const std::string wanted = lower(selector);
   auto matches = [&](const DeviceInfo& d) {
     if (wanted.empty() || wanted == "cpu") return d.is_cpu();
     if (wanted == "gpu") return (d.type & CL_DEVICE_TYPE_GPU) != 0;
     if (wanted == fmt::format("{}:{}", d.platform_index, d.device_index)) return true;
-    if (std::isdigit(static_cast<unsigned char>(wanted[0])) && wanted.find(':') != std::string::npos) return false;
-    return lower(d.name).find(wanted) != std::string::npos || lower(d.platform_name).find(wanted) != std::string::npos;
+    if (std::isdigit(static_cast<unsigned char>(wanted[0])) && wanted.find(':') != std::string::npos)
+      return false;
+    return lower(d.name).find(wanted) != std::string::npos ||
+           lower(d.platform_name).find(wanted) != std::string::npos;
   };
   const auto match = std::find_if(devices.begin(), devices.end(), matches);
   if (match != devices.end()) return *match;
   if (wanted.empty()) return devices.front();
   throw Error(ExitCode::device,
-              fmt::format("no OpenCL device matches '{}'; `nook devices` lists the {} there are", selector, devices.size()));
+              fmt::format("no OpenCL device matches '{}'; `nook devices` lists the {} there are", selector,
+                          devices.size()));
 }
 
 void limit_threads(unsigned threads) {
@@ -115,10 +122,12 @@ Device::Device(const DeviceInfo& info) : info_(info) {
 
 ClBuffer Device::buffer(std::size_t bytes, cl_mem_flags flags) const {
   cl_int code = CL_SUCCESS;
-  ClBuffer made(opencl().clCreateBuffer(context_.get(), flags, std::max<std::size_t>(bytes, 1), nullptr, &code));
+  ClBuffer made(
+      opencl().clCreateBuffer(context_.get(), flags, std::max<std::size_t>(bytes, 1), nullptr, &code));
   if (code != CL_SUCCESS)
-    throw Error(ExitCode::device, fmt::format("device memory: {} bytes asked, {} allowed in one piece, {} in all on {} ({})",
-                                              bytes, info_.max_allocation, info_.memory, info_.name, opencl_error_name(code)));
+    throw Error(ExitCode::device,
+                fmt::format("device memory: {} bytes asked, {} allowed in one piece, {} in all on {} ({})",
+                            bytes, info_.max_allocation, info_.memory, info_.name, opencl_error_name(code)));
   return made;
 }
 
@@ -126,15 +135,19 @@ ClBuffer Device::input_bytes(const void* data, std::size_t bytes) const {
   if (bytes == 0) return buffer(0, CL_MEM_READ_ONLY);
   cl_int code = CL_SUCCESS;
   const cl_mem_flags how = info_.shares_memory ? CL_MEM_USE_HOST_PTR : CL_MEM_COPY_HOST_PTR;
-  ClBuffer made(opencl().clCreateBuffer(context_.get(), CL_MEM_READ_ONLY | how, bytes, const_cast<void*>(data), &code));
+  ClBuffer made(
+      opencl().clCreateBuffer(context_.get(), CL_MEM_READ_ONLY | how, bytes, const_cast<void*>(data), &code));
   if (code != CL_SUCCESS)
     throw Error(ExitCode::device,
-                fmt::format("the scene does not fit the device: {} bytes asked, {} allowed in one piece, {} in all on {} ({})",
+                fmt::format("the scene does not fit the device: {} bytes asked, {} allowed in one piece, {} "
+                            "in all on {} ({})",
                             bytes, info_.max_allocation, info_.memory, info_.name, opencl_error_name(code)));
   bytes_uploaded_ += bytes;
   return made;
 }
 
-void Device::finish() const { check_opencl(opencl().clFinish(queue_.get()), "the device failed"); }
+void Device::finish() const {
+  check_opencl(opencl().clFinish(queue_.get()), "the device failed");
+}
 
 }  // namespace nook

@@ -23,10 +23,11 @@ struct DeviceInfo {
   std::string extensions;
   cl_device_type type = 0;
   unsigned compute_units = 0;
-  std::uint64_t memory = 0;         ///< bytes
-  std::uint64_t max_allocation = 0; ///< bytes, of one buffer
-  unsigned native_float_width = 0;  ///< floats in a native vector; 16 with AVX-512, 8 with AVX2, 1 on most GPUs
-  bool shares_memory = false;       ///< with the host: buffers are used in place
+  std::uint64_t memory = 0;          ///< bytes
+  std::uint64_t max_allocation = 0;  ///< bytes, of one buffer
+  unsigned native_float_width =
+      0;                       ///< floats in a native vector; 16 with AVX-512, 8 with AVX2, 1 on most GPUs
+  bool shares_memory = false;  ///< with the host: buffers are used in place
   bool is_cpu() const { return (type & CL_DEVICE_TYPE_CPU) != 0; }
 };
 
@@ -34,13 +35,13 @@ struct DeviceInfo {
 /// Throws Error(device) if there is no OpenCL loader.
 std::vector<DeviceInfo> list_devices();
 
-/// The device that a selector names: "" (the first CPU, else the first device), "cpu", "gpu", "P:D" (indices as
-/// printed by `nook devices`), or a part of the platform's or device's name, case-insensitive.
-/// Throws Error(device) with one line if there is no device or none matches.
+/// The device that a selector names: "" (the first CPU, else the first device), "cpu", "gpu", "P:D" (indices
+/// as printed by `nook devices`), or a part of the platform's or device's name, case-insensitive. Throws
+/// Error(device) with one line if there is no device or none matches.
 DeviceInfo select_device(const std::string& selector);
 
-/// Compute units that CPU devices made later in this process may use (0: all). PoCL reads this once, so it must be
-/// called before the first list_devices() or select_device().
+/// Compute units that CPU devices made later in this process may use (0: all). PoCL reads this once, so it
+/// must be called before the first list_devices() or select_device().
 void limit_threads(unsigned threads);
 
 /// One device, its context and its in-order queue.
@@ -58,8 +59,8 @@ class Device {
   /// Throws Error(device) that says how much was asked and how much there is.
   ClBuffer buffer(std::size_t bytes, cl_mem_flags flags = CL_MEM_READ_WRITE) const;
 
-  /// The contents of `data` for the device to read: used in place where memory is shared, so `data` must outlive the
-  /// buffer; copied otherwise.
+  /// The contents of `data` for the device to read: used in place where memory is shared, so `data` must
+  /// outlive the buffer; copied otherwise.
   template <class T>
   ClBuffer input(const std::vector<T>& data) const {
     return input_bytes(data.data(), data.size() * sizeof(T));

@@ -43,9 +43,12 @@ void append(const std::string& path, const std::string& text, std::set<std::stri
       out += line + "\n";
       continue;
     }
-    const EmbeddedFile* file = find_embedded((std::filesystem::path(path).parent_path() / name).lexically_normal().string());
+    const EmbeddedFile* file =
+        find_embedded((std::filesystem::path(path).parent_path() / name).lexically_normal().string());
     if (!file) file = find_embedded("kernels/" + name);
-    if (!file) throw Error(ExitCode::internal, fmt::format("kernel include '{}' not found ({}:{})", name, path, number));
+    if (!file)
+      throw Error(ExitCode::internal,
+                  fmt::format("kernel include '{}' not found ({}:{})", name, path, number));
     if (seen.insert(file->path).second) append(file->path, file->text, seen, out);
     out += fmt::format("#line {} \"{}\"\n", number + 1, path);
   }

@@ -14,10 +14,15 @@ namespace {
 
 std::atomic<bool> loaded = false;
 
-// PoCL offers no device where it cannot make its cache, as in a container without a home: nook's folder then serves it too.
+// PoCL offers no device where it cannot make its cache, as in a container without a home: nook's folder then
+// serves it too.
 void lend_cache_to_pocl() {
-  const auto variable = [](const char* name) { const char* text = std::getenv(name); return std::filesystem::path(text ? text : ""); };
-  const std::filesystem::path ours = variable("NOOK_CACHE_DIR"), cache = variable("XDG_CACHE_HOME"), home = variable("HOME");
+  const auto variable = [](const char* name) {
+    const char* text = std::getenv(name);
+    return std::filesystem::path(text ? text : "");
+  };
+  const std::filesystem::path ours = variable("NOOK_CACHE_DIR"), cache = variable("XDG_CACHE_HOME"),
+                              home = variable("HOME");
   if (ours.empty() || (cache.empty() && home.empty())) return;
   const std::filesystem::path theirs = cache.empty() ? home / ".cache" : cache;
   std::error_code code;
@@ -51,23 +56,28 @@ const OpenClFunctions& opencl() {
   return functions;
 }
 
-bool opencl_is_loaded() { return loaded; }
+bool opencl_is_loaded() {
+  return loaded;
+}
 
 std::string opencl_error_name(cl_int code) {
   switch (code) {
 #define NAME(code) \
   case code:       \
     return #code;
-    NAME(CL_SUCCESS) NAME(CL_DEVICE_NOT_FOUND) NAME(CL_DEVICE_NOT_AVAILABLE) NAME(CL_COMPILER_NOT_AVAILABLE)
-    NAME(CL_MEM_OBJECT_ALLOCATION_FAILURE) NAME(CL_OUT_OF_RESOURCES) NAME(CL_OUT_OF_HOST_MEMORY)
-    NAME(CL_BUILD_PROGRAM_FAILURE) NAME(CL_MAP_FAILURE) NAME(CL_INVALID_VALUE) NAME(CL_INVALID_DEVICE)
-    NAME(CL_INVALID_PLATFORM) NAME(CL_INVALID_CONTEXT) NAME(CL_INVALID_BINARY) NAME(CL_INVALID_BUILD_OPTIONS)
-    NAME(CL_INVALID_PROGRAM) NAME(CL_INVALID_PROGRAM_EXECUTABLE) NAME(CL_INVALID_KERNEL_NAME)
-    NAME(CL_INVALID_KERNEL_ARGS) NAME(CL_INVALID_ARG_INDEX) NAME(CL_INVALID_ARG_VALUE) NAME(CL_INVALID_ARG_SIZE)
-    NAME(CL_INVALID_WORK_GROUP_SIZE) NAME(CL_INVALID_BUFFER_SIZE) NAME(CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST)
+    NAME(CL_SUCCESS)
+    NAME(CL_DEVICE_NOT_FOUND) NAME(CL_DEVICE_NOT_AVAILABLE) NAME(CL_COMPILER_NOT_AVAILABLE)
+        NAME(CL_MEM_OBJECT_ALLOCATION_FAILURE) NAME(CL_OUT_OF_RESOURCES) NAME(CL_OUT_OF_HOST_MEMORY)
+            NAME(CL_BUILD_PROGRAM_FAILURE) NAME(CL_MAP_FAILURE) NAME(CL_INVALID_VALUE) NAME(CL_INVALID_DEVICE)
+                NAME(CL_INVALID_PLATFORM) NAME(CL_INVALID_CONTEXT) NAME(CL_INVALID_BINARY)
+                    NAME(CL_INVALID_BUILD_OPTIONS) NAME(CL_INVALID_PROGRAM)
+                        NAME(CL_INVALID_PROGRAM_EXECUTABLE) NAME(CL_INVALID_KERNEL_NAME)
+                            NAME(CL_INVALID_KERNEL_ARGS) NAME(CL_INVALID_ARG_INDEX) NAME(CL_INVALID_ARG_VALUE)
+                                NAME(CL_INVALID_ARG_SIZE) NAME(CL_INVALID_WORK_GROUP_SIZE)
+                                    NAME(CL_INVALID_BUFFER_SIZE)
+                                        NAME(CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST)
 #undef NAME
-    case -1001:
-      return "CL_PLATFORM_NOT_FOUND_KHR";
+                                            case -1001 : return "CL_PLATFORM_NOT_FOUND_KHR";
     default:
       return "OpenCL error " + std::to_string(code);
   }

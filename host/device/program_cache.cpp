@@ -29,8 +29,8 @@ struct Header {
 
 std::string cache_key(const Device& device, const std::string& source, const std::string& options) {
   const DeviceInfo& d = device.info();
-  const std::string all = fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}", d.platform_name, d.name, d.driver, d.version,
-                                      sizeof(void*), options, source);
+  const std::string all = fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}", d.platform_name, d.name, d.driver,
+                                      d.version, sizeof(void*), options, source);
   const XXH128_hash_t hash = XXH3_128bits(all.data(), all.size());
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }
@@ -76,15 +76,18 @@ std::string build_log(const Device& device, cl_program program) {
   return log;
 }
 
-ClProgram from_binary(const Device& device, const std::vector<unsigned char>& binary, const std::string& options) {
+ClProgram from_binary(const Device& device, const std::vector<unsigned char>& binary,
+                      const std::string& options) {
   if (binary.empty()) return {};
   const std::size_t bytes = binary.size();
   const unsigned char* data = binary.data();
   const cl_device_id id = device.id();
   cl_int status = CL_SUCCESS, code = CL_SUCCESS;
-  ClProgram program(opencl().clCreateProgramWithBinary(device.context(), 1, &id, &bytes, &data, &status, &code));
+  ClProgram program(
+      opencl().clCreateProgramWithBinary(device.context(), 1, &id, &bytes, &data, &status, &code));
   if (code != CL_SUCCESS || status != CL_SUCCESS) return {};
-  if (opencl().clBuildProgram(program.get(), 1, &id, options.c_str(), nullptr, nullptr) != CL_SUCCESS) return {};
+  if (opencl().clBuildProgram(program.get(), 1, &id, options.c_str(), nullptr, nullptr) != CL_SUCCESS)
+    return {};
   return program;
 }
 
@@ -97,17 +100,21 @@ ClProgram from_source(const Device& device, const std::string& source, const std
   check_opencl(code, "cannot create a program");
   code = opencl().clBuildProgram(program.get(), 1, &id, options.c_str(), nullptr, nullptr);
   if (code != CL_SUCCESS)
-    throw Error(ExitCode::device, fmt::format("the kernels do not build on {} with {} ({})\n{}", device.info().name, options,
-                                              opencl_error_name(code), build_log(device, program.get())));
+    throw Error(ExitCode::device,
+                fmt::format("the kernels do not build on {} with {} ({})\n{}", device.info().name, options,
+                            opencl_error_name(code), build_log(device, program.get())));
   return program;
 }
 
 std::vector<unsigned char> binary_of(const ClProgram& program) {
   std::size_t bytes = 0;
-  if (opencl().clGetProgramInfo(program.get(), CL_PROGRAM_BINARY_SIZES, sizeof bytes, &bytes, nullptr) != CL_SUCCESS) return {};
+  if (opencl().clGetProgramInfo(program.get(), CL_PROGRAM_BINARY_SIZES, sizeof bytes, &bytes, nullptr) !=
+      CL_SUCCESS)
+    return {};
   std::vector<unsigned char> binary(bytes);
   unsigned char* data = binary.data();
-  if (!bytes || opencl().clGetProgramInfo(program.get(), CL_PROGRAM_BINARIES, sizeof data, &data, nullptr) != CL_SUCCESS)
+  if (!bytes || opencl().clGetProgramInfo(program.get(), CL_PROGRAM_BINARIES, sizeof data, &data, nullptr) !=
+                    CL_SUCCESS)
     return {};
   return binary;
 }
@@ -151,7 +158,8 @@ BuiltProgram build_program(const Device& device, const std::string& source, cons
   const auto start = std::chrono::steady_clock::now();
   const std::string all_options = standard_options + options.text();
   const std::filesystem::path dir = program_cache_dir();
-  const std::filesystem::path file = dir.empty() ? dir : dir / (cache_key(device, source, all_options) + ".bin");
+  const std::filesystem::path file =
+      dir.empty() ? dir : dir / (cache_key(device, source, all_options) + ".bin");
   BuiltProgram built;
   if (!dir.empty()) built.program = from_binary(device, read_entry(file), all_options);
   built.from_cache = bool(built.program);

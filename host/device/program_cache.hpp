@@ -27,18 +27,20 @@ struct BuiltProgram {
   /// Throws Error(device) if the program has no kernel of this name.
   ClKernel kernel(const char* name) const;
 
-  /// Writes a program that was compiled to the disk cache. Apart from build_program, because asking PoCL for a binary
-  /// compiles every kernel once more (0.5 s each), which no user should wait for before the picture. A failure only costs the next run.
+  /// Writes a program that was compiled to the disk cache. Apart from build_program, because asking PoCL for
+  /// a binary compiles every kernel once more (0.5 s each), which no user should wait for before the picture.
+  /// A failure only costs the next run.
   void store() noexcept;
 };
 
-/// The folder of cached program binaries: NOOK_CACHE_DIR, else $XDG_CACHE_HOME/nook, else ~/.cache/nook; empty if none is known.
+/// The folder of cached program binaries: NOOK_CACHE_DIR, else $XDG_CACHE_HOME/nook, else ~/.cache/nook;
+/// empty if none is known.
 std::filesystem::path program_cache_dir();
 
-/// Builds flattened source for the device, or takes the binary from the disk cache. The key covers source, options, device
-/// name, driver and platform; an entry is trusted only if its checksum holds, is written under a temporary name and renamed
-/// (two processes may share the folder), and a failure to read or write it only costs a build.
-/// Throws Error(device) with the build log, which names kernels/FILE:LINE.
+/// Builds flattened source for the device, or takes the binary from the disk cache. The key covers source,
+/// options, device name, driver and platform; an entry is trusted only if its checksum holds, is written
+/// under a temporary name and renamed (two processes may share the folder), and a failure to read or write it
+/// only costs a build. Throws Error(device) with the build log, which names kernels/FILE:LINE.
 BuiltProgram build_program(const Device& device, const std::string& source, const BuildOptions& options);
 
 }  // namespace nook

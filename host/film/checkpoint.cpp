@@ -21,7 +21,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "parts are little-endian");
 
-// The file (docs/checkpoints.md): Start, header (JSON), then the arrays that the header counts, then their checksum.
+// The file (docs/checkpoints.md): Start, header (JSON), then the arrays that the header counts, then their
+// checksum.
 struct Start {
   char magic[8];
   std::uint32_t version;
@@ -43,13 +44,16 @@ Hash new_hash() {
   return hash;
 }
 
-// Film pixels [first, first + count) hold all samples there are: a shard of tiles does not store the rest of the picture.
+// Film pixels [first, first + count) hold all samples there are: a shard of tiles does not store the rest of
+// the picture.
 struct Extent {
   std::uint64_t first = 0, count = 0;
 };
 
 // At least this share of the pixels is stored, so that the memory a file asks for is bounded by its size.
-std::uint64_t least_stored(std::uint64_t pixels) { return (pixels + 255) / 256; }
+std::uint64_t least_stored(std::uint64_t pixels) {
+  return (pixels + 255) / 256;
+}
 
 Extent extent_of(const std::vector<Film>& films) {
   const auto& replicates = films.front().replicates;
@@ -75,7 +79,8 @@ nlohmann::json to_json(const FilmPart& part, const Extent& extent) {
   json["finished"] = part.finished;
   json["counts"] = {part.counts.camera_rays, part.counts.occlusion_rays, part.counts.rejected};
   json["render_seconds"] = part.render_seconds;
-  for (const Film& film : part.films) json["films"].push_back({film.sum_scale, film.square_scale, film.per_replicate, film.extra.size()});
+  for (const Film& film : part.films)
+    json["films"].push_back({film.sum_scale, film.square_scale, film.per_replicate, film.extra.size()});
   json["first_pixel"] = extent.first;
   json["pixels"] = extent.count;
   json["held_boxes"] = part.held.size();
@@ -113,7 +118,8 @@ class Reader {
   }
   bool checksum_holds() {
     std::uint64_t checksum = 0;
-    return in_.read(reinterpret_cast<char*>(&checksum), sizeof checksum) && checksum == XXH3_64bits_digest(hash_.get());
+    return in_.read(reinterpret_cast<char*>(&checksum), sizeof checksum) &&
+           checksum == XXH3_64bits_digest(hash_.get());
   }
 
  private:
@@ -146,7 +152,8 @@ bool inside(const SampleBoxes& boxes, const SampleBox& whole) {
 }
 
 // What the header says, with room for nothing yet; throws nlohmann's exceptions, or returns why it cannot be.
-std::string from_json(const nlohmann::json& json, FilmPart& part, Extent& extent, std::array<std::uint64_t, 2>& boxes) {
+std::string from_json(const nlohmann::json& json, FilmPart& part, Extent& extent,
+                      std::array<std::uint64_t, 2>& boxes) {
   const auto whole_number = [&](const char* key, std::uint64_t largest) {
     const nlohmann::json& value = json.at(key);
     if (!value.is_number_unsigned() || value.get<std::uint64_t>() > largest) throw std::out_of_range(key);
@@ -162,7 +169,8 @@ std::string from_json(const nlohmann::json& json, FilmPart& part, Extent& extent
   const auto counts = json.at("counts").get<std::array<std::uint64_t, 3>>();
   part.counts = {counts[0], counts[1], counts[2]};
   part.render_seconds = json.at("render_seconds").get<double>();
-  for (const auto& film : json.at("films").get<std::vector<std::tuple<float, float, std::uint32_t, std::uint32_t>>>()) {
+  for (const auto& film :
+       json.at("films").get<std::vector<std::tuple<float, float, std::uint32_t, std::uint32_t>>>()) {
     Film& made = part.films.emplace_back();
     std::uint32_t extra = 0;
     std::tie(made.sum_scale, made.square_scale, made.per_replicate, extra) = film;
@@ -170,16 +178,20 @@ std::string from_json(const nlohmann::json& json, FilmPart& part, Extent& extent
     made.extra.resize(extra);
     made.width = width;
     made.height = height;
-    if (!is_power_of_two(made.sum_scale) || !is_power_of_two(made.square_scale) || made.per_replicate == 0) return "a film's scale is impossible";
+    if (!is_power_of_two(made.sum_scale) || !is_power_of_two(made.square_scale) || made.per_replicate == 0)
+      return "a film's scale is impossible";
   }
-  for (const auto& name : json.at("surface").get<std::vector<std::string>>()) part.surface.push_back({name, std::vector<float>()});
+  for (const auto& name : json.at("surface").get<std::vector<std::string>>())
+    part.surface.push_back({name, std::vector<float>()});
   extent.first = whole_number("first_pixel", 0xffffffffu);
   extent.count = whole_number("pixels", 0xffffffffu);
   boxes = {whole_number("held_boxes", 0xffffffffu), whole_number("planned_boxes", 0xffffffffu)};
-  if (part.films.empty() || part.films.size() > 1024 || part.layers.size() != part.films.size()) return "its films are not as many as its layers";
+  if (part.films.empty() || part.films.size() > 1024 || part.layers.size() != part.films.size())
+    return "its films are not as many as its layers";
   if (width == 0 || height == 0 || part.samples_per_pixel == 0) return "it has no pixels";
   const std::uint64_t pixels = part.films.front().pixels();
-  if (extent.first + extent.count > pixels || extent.count < least_stored(pixels)) return "its range of pixels is impossible";
+  if (extent.first + extent.count > pixels || extent.count < least_stored(pixels))
+    return "its range of pixels is impossible";
   return "";
 }
 
@@ -201,8 +213,10 @@ void write_film_part(const std::filesystem::path& path, const FilmPart& part) {
   Writer writer(file);
   for (const SampleBoxes* boxes : {&part.held, &part.planned}) writer.array(boxes->data(), boxes->size());
   for (const Film& film : part.films) {
-    for (const auto* values : {&film.sum, &film.sum_square}) writer.array(values->data() + extent.first, extent.count);
-    for (const auto* values : {&film.replicates, &film.camera_samples, &film.hits}) writer.array(values->data() + extent.first, extent.count);
+    for (const auto* values : {&film.sum, &film.sum_square})
+      writer.array(values->data() + extent.first, extent.count);
+    for (const auto* values : {&film.replicates, &film.camera_samples, &film.hits})
+      writer.array(values->data() + extent.first, extent.count);
     for (const auto& values : film.extra) writer.array(values.data() + extent.first, extent.count);
   }
   for (const Channel& channel : part.surface) {
@@ -221,20 +235,25 @@ FilmPart read_checked(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) reject(path, "cannot be read");
   Start start;
-  if (!in.read(reinterpret_cast<char*>(&start), sizeof start) || std::memcmp(start.magic, magic, sizeof magic) != 0)
+  if (!in.read(reinterpret_cast<char*>(&start), sizeof start) ||
+      std::memcmp(start.magic, magic, sizeof magic) != 0)
     reject(path, "not a part of a render (see nook render --checkpoint, --shard)");
   if (start.version != format_version)
-    reject(path, fmt::format("a part of format {}, this program reads format {}", start.version, format_version));
-  if (start.header_bytes > largest_header || start.header_bytes > size) reject(path, "truncated or damaged: its header does not fit");
+    reject(path,
+           fmt::format("a part of format {}, this program reads format {}", start.version, format_version));
+  if (start.header_bytes > largest_header || start.header_bytes > size)
+    reject(path, "truncated or damaged: its header does not fit");
   std::string header(start.header_bytes, '\0');
-  if (!in.read(header.data(), std::streamsize(header.size())) || XXH3_64bits(header.data(), header.size()) != start.header_checksum)
+  if (!in.read(header.data(), std::streamsize(header.size())) ||
+      XXH3_64bits(header.data(), header.size()) != start.header_checksum)
     reject(path, "damaged: its header's checksum is wrong");
 
   FilmPart part;
   Extent extent;
   std::array<std::uint64_t, 2> boxes{};
   try {
-    if (const std::string why = from_json(nlohmann::json::parse(header), part, extent, boxes); !why.empty()) reject(path, "damaged: " + why);
+    if (const std::string why = from_json(nlohmann::json::parse(header), part, extent, boxes); !why.empty())
+      reject(path, "damaged: " + why);
   } catch (const nlohmann::json::exception& e) {
     reject(path, fmt::format("damaged: its header cannot be read ({})", e.what()));
   } catch (const std::out_of_range& e) {
@@ -244,19 +263,24 @@ FilmPart read_checked(const std::filesystem::path& path) {
   const std::uint64_t pixels = part.films.front().pixels();
   std::uint64_t extra_planes = 0;
   for (const Film& film : part.films) extra_planes += film.extra.size();
-  const std::uint64_t expected = sizeof start + header.size() + (boxes[0] + boxes[1]) * sizeof(SampleBox) +
-                                 (part.films.size() * bytes_a_pixel + extra_planes * sizeof(std::uint64_t)) * extent.count + part.surface.size() * pixels * sizeof(float) +
-                                 sizeof(std::uint64_t);
-  if (size != expected) reject(path, fmt::format("truncated or damaged: {} bytes, expected {}", size, expected));
+  const std::uint64_t expected =
+      sizeof start + header.size() + (boxes[0] + boxes[1]) * sizeof(SampleBox) +
+      (part.films.size() * bytes_a_pixel + extra_planes * sizeof(std::uint64_t)) * extent.count +
+      part.surface.size() * pixels * sizeof(float) + sizeof(std::uint64_t);
+  if (size != expected)
+    reject(path, fmt::format("truncated or damaged: {} bytes, expected {}", size, expected));
 
   Reader reader(in);
   part.held.resize(boxes[0]);
   part.planned.resize(boxes[1]);
   for (SampleBoxes* list : {&part.held, &part.planned}) reader.array(list->data(), list->size());
   for (Film& film : part.films) {
-    film = Film(film.width, film.height, film.sum_scale, film.square_scale, film.per_replicate, film.extra.size());
-    for (auto* values : {&film.sum, &film.sum_square}) reader.array(values->data() + extent.first, extent.count);
-    for (auto* values : {&film.replicates, &film.camera_samples, &film.hits}) reader.array(values->data() + extent.first, extent.count);
+    film = Film(film.width, film.height, film.sum_scale, film.square_scale, film.per_replicate,
+                film.extra.size());
+    for (auto* values : {&film.sum, &film.sum_square})
+      reader.array(values->data() + extent.first, extent.count);
+    for (auto* values : {&film.replicates, &film.camera_samples, &film.hits})
+      reader.array(values->data() + extent.first, extent.count);
     for (auto& values : film.extra) reader.array(values.data() + extent.first, extent.count);
   }
   for (Channel& channel : part.surface) {
@@ -266,7 +290,8 @@ FilmPart read_checked(const std::filesystem::path& path) {
   }
   if (!reader.checksum_holds()) reject(path, "damaged: its checksum is wrong");
   std::optional<SampleBox> overlap;
-  if (!inside(part.held, part.whole()) || !inside(part.planned, part.whole()) || unite(part.held, &overlap) != part.held || overlap)
+  if (!inside(part.held, part.whole()) || !inside(part.planned, part.whole()) ||
+      unite(part.held, &overlap) != part.held || overlap)
     reject(path, "damaged: its sample ranges are impossible");
   return part;
 }
@@ -287,33 +312,43 @@ FilmPart read_film_part(const std::filesystem::path& path) {
   }
 }
 
-std::string difference(const FilmPart& a, const std::string& name_a, const FilmPart& b, const std::string& name_b) {
+std::string difference(const FilmPart& a, const std::string& name_a, const FilmPart& b,
+                       const std::string& name_b) {
   for (std::size_t i = 0; i < std::max(a.identity.size(), b.identity.size()); ++i) {
     if (i >= a.identity.size() || i >= b.identity.size() || a.identity[i].first != b.identity[i].first)
       return fmt::format("{} and {} are of different kinds of render", name_a, name_b);
     if (a.identity[i].second != b.identity[i].second)
-      return fmt::format("{} and {} differ in {}: {} and {}", name_a, name_b, a.identity[i].first, a.identity[i].second, b.identity[i].second);
+      return fmt::format("{} and {} differ in {}: {} and {}", name_a, name_b, a.identity[i].first,
+                         a.identity[i].second, b.identity[i].second);
   }
-  bool same = a.films.size() == b.films.size() && a.layers == b.layers && a.samples_per_pixel == b.samples_per_pixel;
+  bool same =
+      a.films.size() == b.films.size() && a.layers == b.layers && a.samples_per_pixel == b.samples_per_pixel;
   for (std::size_t e = 0; same && e < a.films.size(); ++e)
-    same = a.films[e].width == b.films[e].width && a.films[e].height == b.films[e].height && a.films[e].sum_scale == b.films[e].sum_scale &&
-           a.films[e].square_scale == b.films[e].square_scale && a.films[e].per_replicate == b.films[e].per_replicate && a.films[e].extra.size() == b.films[e].extra.size();
+    same = a.films[e].width == b.films[e].width && a.films[e].height == b.films[e].height &&
+           a.films[e].sum_scale == b.films[e].sum_scale &&
+           a.films[e].square_scale == b.films[e].square_scale &&
+           a.films[e].per_replicate == b.films[e].per_replicate &&
+           a.films[e].extra.size() == b.films[e].extra.size();
   return same ? "" : fmt::format("{} and {} are not parts of one picture", name_a, name_b);
 }
 
-void join_film_part(FilmPart& part, const std::string& name, const FilmPart& other, const std::string& other_name) {
-  if (const std::string why = difference(part, name, other, other_name); !why.empty()) throw Error(ExitCode::scene, why);
+void join_film_part(FilmPart& part, const std::string& name, const FilmPart& other,
+                    const std::string& other_name) {
+  if (const std::string why = difference(part, name, other, other_name); !why.empty())
+    throw Error(ExitCode::scene, why);
   SampleBoxes both = part.held;
   both.insert(both.end(), other.held.begin(), other.held.end());
   std::optional<SampleBox> overlap;
   both = unite(std::move(both), &overlap);
   if (overlap)
-    throw Error(ExitCode::scene, fmt::format("{}: samples {} to {} of {} pixels are in another part already", other_name, overlap->first,
-                                             overlap->end - 1, overlap->pixel_end - overlap->pixel_begin));
+    throw Error(ExitCode::scene,
+                fmt::format("{}: samples {} to {} of {} pixels are in another part already", other_name,
+                            overlap->first, overlap->end - 1, overlap->pixel_end - overlap->pixel_begin));
   for (const Channel& theirs : other.surface)
     for (const Channel& ours : part.surface)
       if (ours.name == theirs.name && !same_bits(ours, theirs))
-        throw Error(ExitCode::scene, fmt::format("{} and {} differ in their channel {}", name, other_name, ours.name));
+        throw Error(ExitCode::scene,
+                    fmt::format("{} and {} differ in their channel {}", name, other_name, ours.name));
 
   part.held = std::move(both);
   part.planned.insert(part.planned.end(), other.planned.begin(), other.planned.end());

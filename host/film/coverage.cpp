@@ -7,8 +7,8 @@ namespace {
 
 using Interval = std::pair<std::uint32_t, std::uint32_t>;  // samples [first, second)
 
-// Calls visit(begin, end, of_a, of_b) for each run of pixels over which the boxes of both lists do not change; of_a and of_b
-// are the boxes over the run, sorted by their first sample.
+// Calls visit(begin, end, of_a, of_b) for each run of pixels over which the boxes of both lists do not
+// change; of_a and of_b are the boxes over the run, sorted by their first sample.
 template <class Visit>
 void sweep(const SampleBoxes& a, const SampleBoxes& b, Visit visit) {
   struct Side {
@@ -16,13 +16,15 @@ void sweep(const SampleBoxes& a, const SampleBoxes& b, Visit visit) {
     explicit Side(const SampleBoxes& boxes) {
       for (const SampleBox& box : boxes)
         if (!box.empty()) waiting.push_back(&box);
-      std::sort(waiting.begin(), waiting.end(), [](auto* x, auto* y) { return x->pixel_begin > y->pixel_begin; });
+      std::sort(waiting.begin(), waiting.end(),
+                [](auto* x, auto* y) { return x->pixel_begin > y->pixel_begin; });
     }
     void move_to(std::uint32_t pixel) {
       std::erase_if(active, [&](auto* box) { return box->pixel_end <= pixel; });
       for (; !waiting.empty() && waiting.back()->pixel_begin <= pixel; waiting.pop_back()) {
         const auto by_sample = [](auto* x, auto* y) { return x->first < y->first; };
-        active.insert(std::upper_bound(active.begin(), active.end(), waiting.back(), by_sample), waiting.back());
+        active.insert(std::upper_bound(active.begin(), active.end(), waiting.back(), by_sample),
+                      waiting.back());
       }
     }
   } side_a(a), side_b(b);
@@ -85,20 +87,21 @@ SampleBoxes subtract(const SampleBoxes& whole, const SampleBoxes& taken) {
   Runs runs;
   std::vector<Interval> left;
   // `whole` is united first, so that a sample in two of its boxes is left once.
-  sweep(unite(whole), taken, [&](std::uint32_t begin, std::uint32_t end, const auto& asked, const auto& held) {
-    left.clear();
-    for (const SampleBox* box : asked) {
-      std::uint32_t at = box->first;
-      for (const SampleBox* hole : held) {
-        if (hole->end <= at) continue;
-        if (hole->first >= box->end) break;
-        if (hole->first > at) left.emplace_back(at, hole->first);
-        at = std::max(at, hole->end);
-      }
-      if (at < box->end) left.emplace_back(at, box->end);
-    }
-    runs.add(begin, end, left);
-  });
+  sweep(unite(whole), taken,
+        [&](std::uint32_t begin, std::uint32_t end, const auto& asked, const auto& held) {
+          left.clear();
+          for (const SampleBox* box : asked) {
+            std::uint32_t at = box->first;
+            for (const SampleBox* hole : held) {
+              if (hole->end <= at) continue;
+              if (hole->first >= box->end) break;
+              if (hole->first > at) left.emplace_back(at, hole->first);
+              at = std::max(at, hole->end);
+            }
+            if (at < box->end) left.emplace_back(at, box->end);
+          }
+          runs.add(begin, end, left);
+        });
   return runs.take();
 }
 

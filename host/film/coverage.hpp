@@ -12,14 +12,17 @@ struct SampleBox {
   std::uint32_t first = 0, end = 0;
 
   bool empty() const { return pixel_begin >= pixel_end || first >= end; }
-  std::uint64_t samples() const { return empty() ? 0 : std::uint64_t(pixel_end - pixel_begin) * (end - first); }
+  std::uint64_t samples() const {
+    return empty() ? 0 : std::uint64_t(pixel_end - pixel_begin) * (end - first);
+  }
   bool operator==(const SampleBox&) const = default;
 };
 
 using SampleBoxes = std::vector<SampleBox>;
 
-/// The union of `boxes` in its one canonical form: disjoint, sorted by pixel, then sample; pixels whose samples are the same
-/// and adjoin share boxes. If `overlap` is given, it becomes a box (or a part of one) that two of `boxes` hold, if any do.
+/// The union of `boxes` in its one canonical form: disjoint, sorted by pixel, then sample; pixels whose
+/// samples are the same and adjoin share boxes. If `overlap` is given, it becomes a box (or a part of one)
+/// that two of `boxes` hold, if any do.
 SampleBoxes unite(SampleBoxes boxes, std::optional<SampleBox>* overlap = nullptr);
 
 /// What of `whole` is not in `taken`, in canonical form.
@@ -27,8 +30,8 @@ SampleBoxes subtract(const SampleBoxes& whole, const SampleBoxes& taken);
 
 std::uint64_t samples_in(const SampleBoxes& disjoint);
 
-/// Which samples a film holds. Boxes are added one by one as they are finished, and united now and then, so that a
-/// render's millions of launches cost no memory.
+/// Which samples a film holds. Boxes are added one by one as they are finished, and united now and then, so
+/// that a render's millions of launches cost no memory.
 class Coverage {
  public:
   Coverage() = default;

@@ -8,11 +8,12 @@ namespace nook {
 
 enum class ExrPrecision { full, half };
 
-/// Writes a scanline, ZIP-compressed OpenEXR file: FLOAT and UINT channels, string attributes for the metadata.
-/// Goes to a temporary name in the same folder and is renamed when complete: a failure leaves no partial file.
-/// Throws Error(output) with one line.
-/// ExrPrecision::half: HALF channels instead of FLOAT ones, rounded to nearest.
-void write_exr(const std::filesystem::path& path, const Image& image, ExrPrecision precision = ExrPrecision::full);
+/// Writes a scanline, ZIP-compressed OpenEXR file: FLOAT and UINT channels, string attributes for the
+/// metadata. Goes to a temporary name in the same folder and is renamed when complete: a failure leaves no
+/// partial file. Throws Error(output) with one line. ExrPrecision::half: HALF channels instead of FLOAT ones,
+/// rounded to nearest.
+void write_exr(const std::filesystem::path& path, const Image& image,
+               ExrPrecision precision = ExrPrecision::full);
 
 /// Reads every channel of a (single-part, scanline or tiled) OpenEXR file; HALF becomes float.
 /// Throws Error(scene) with one line, also when the header claims more pixels than the file can hold.

@@ -4,8 +4,13 @@
 
 namespace nook {
 
-Film::Film(int w, int h, float sum_fixed_point, float square_fixed_point, std::uint32_t directions, std::size_t extra_planes)
-    : width(w), height(h), sum_scale(sum_fixed_point), square_scale(square_fixed_point), per_replicate(directions) {
+Film::Film(int w, int h, float sum_fixed_point, float square_fixed_point, std::uint32_t directions,
+           std::size_t extra_planes)
+    : width(w),
+      height(h),
+      sum_scale(sum_fixed_point),
+      square_scale(square_fixed_point),
+      per_replicate(directions) {
   sum.resize(pixels());
   sum_square.resize(pixels());
   replicates.resize(pixels());

@@ -5,11 +5,11 @@
 
 namespace nook {
 
-/// The state of one effect's estimate over a window of pixels: integers alone, so that adding the same samples in any
-/// order, split over any launches, machines or restarts, gives the same bits.
+/// The state of one effect's estimate over a window of pixels: integers alone, so that adding the same
+/// samples in any order, split over any launches, machines or restarts, gives the same bits.
 ///
-/// A replicate is what the spread is measured between: the mean over the directions of one camera ray, or (one camera ray a
-/// pixel) one direction.
+/// A replicate is what the spread is measured between: the mean over the directions of one camera ray, or
+/// (one camera ray a pixel) one direction.
 struct Film {
   int width = 0, height = 0;        ///< pixels of the window
   float sum_scale = 1;              ///< fixed point of `sum`, a power of two
@@ -21,12 +21,14 @@ struct Film {
   std::vector<std::uint32_t> replicates;
   std::vector<std::uint32_t> camera_samples;
   std::vector<std::uint32_t> hits;  ///< camera samples that hit the mesh
-  /// What an effect sums besides, a plane each: for bent normals x, y and z of Σ w V ω in the fixed point of `sum`, two's complement.
+  /// What an effect sums besides, a plane each: for bent normals x, y and z of Σ w V ω in the fixed point of
+  /// `sum`, two's complement.
   std::vector<std::vector<std::uint64_t>> extra;
 
   Film() = default;
   /// Throws std::bad_alloc.
-  Film(int width, int height, float sum_scale, float square_scale, std::uint32_t per_replicate, std::size_t extra_planes = 0);
+  Film(int width, int height, float sum_scale, float square_scale, std::uint32_t per_replicate,
+       std::size_t extra_planes = 0);
 
   std::size_t pixels() const { return std::size_t(width) * std::size_t(height); }
   /// Adds the samples of a film of the same size and scales.

@@ -11,12 +11,15 @@ namespace {
 
 constexpr std::uint32_t none = 0xffffffffu;
 
-bool finite(const vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool finite(const vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
-// Appends `part`'s per-triangle values, offset; `missing` for all triangles of a mesh without them if the other has some.
+// Appends `part`'s per-triangle values, offset; `missing` for all triangles of a mesh without them if the
+// other has some.
 template <class T, class Offset>
-void append_values(std::vector<T>& whole, std::size_t whole_triangles, const std::vector<T>& part, std::size_t part_triangles, const T& missing,
-                   Offset offset) {
+void append_values(std::vector<T>& whole, std::size_t whole_triangles, const std::vector<T>& part,
+                   std::size_t part_triangles, const T& missing, Offset offset) {
   if (whole.empty() && part.empty()) return;
   if (whole.empty()) whole.assign(whole_triangles, missing);
   for (std::size_t t = 0; t < part_triangles; ++t) whole.push_back(part.empty() ? missing : offset(part[t]));
@@ -38,16 +41,20 @@ void add_report(TriangleMesh::Report& whole, const TriangleMesh::Report& part) {
 }  // namespace
 
 void append_instance(TriangleMesh& whole, const TriangleMesh& part, const glm::dmat4& transform) {
-  if (whole.positions.size() + part.positions.size() >= none || whole.normals.size() + part.normals.size() >= none)
+  if (whole.positions.size() + part.positions.size() >= none ||
+      whole.normals.size() + part.normals.size() >= none)
     throw Error(ExitCode::scene, "the scene's instances have more vertices than 32-bit indices can name");
-  const auto first_position = std::uint32_t(whole.positions.size()), first_normal = std::uint32_t(whole.normals.size());
-  const auto first_material = std::uint32_t(whole.materials.size()), first_group = std::uint32_t(whole.groups.size());
+  const auto first_position = std::uint32_t(whole.positions.size()),
+             first_normal = std::uint32_t(whole.normals.size());
+  const auto first_material = std::uint32_t(whole.materials.size()),
+             first_group = std::uint32_t(whole.groups.size());
   const std::size_t before = whole.triangles.size(), count = part.triangles.size();
   const glm::dmat3 linear(transform);
   const glm::dmat3 for_normals = glm::transpose(glm::inverse(linear));
   const bool mirrors = glm::determinant(linear) < 0;
 
-  for (const vec3& p : part.positions) whole.positions.push_back(vec3(glm::dvec3(transform * glm::dvec4(dvec3(p), 1))));
+  for (const vec3& p : part.positions)
+    whole.positions.push_back(vec3(glm::dvec3(transform * glm::dvec4(dvec3(p), 1))));
   for (const vec3& n : part.normals) {
     const dvec3 turned = for_normals * dvec3(n);
     const double length = glm::length(turned);
@@ -61,11 +68,13 @@ void append_instance(TriangleMesh& whole, const TriangleMesh& part, const glm::d
                 [&](const auto& corners) { return oriented(shifted(corners, first_normal)); });
   append_values(whole.triangle_material, before, part.triangle_material, count, none,
                 [&](std::uint32_t m) { return m == none ? none : m + first_material; });
-  append_values(whole.triangle_group, before, part.triangle_group, count, none, [&](std::uint32_t g) { return g + first_group; });
+  append_values(whole.triangle_group, before, part.triangle_group, count, none,
+                [&](std::uint32_t g) { return g + first_group; });
   const bool uvs = !part.triangle_uvs.empty() && (before == 0 || !whole.triangle_uvs.empty());
   if (uvs) {
     const auto first_uv = std::uint32_t(whole.uvs.size());
-    for (const auto& corners : part.triangle_uvs) whole.triangle_uvs.push_back(oriented(shifted(corners, first_uv)));
+    for (const auto& corners : part.triangle_uvs)
+      whole.triangle_uvs.push_back(oriented(shifted(corners, first_uv)));
     whole.uvs.insert(whole.uvs.end(), part.uvs.begin(), part.uvs.end());
   } else {
     whole.uvs.clear();
@@ -76,7 +85,8 @@ void append_instance(TriangleMesh& whole, const TriangleMesh& part, const glm::d
   for (const auto& triangle : part.triangles) {
     const auto placed = oriented(shifted(triangle, first_position));
     for (const std::uint32_t index : placed) {
-      if (!finite(whole.positions[index])) throw Error(ExitCode::scene, "an instance's transform takes positions beyond the range of floats");
+      if (!finite(whole.positions[index]))
+        throw Error(ExitCode::scene, "an instance's transform takes positions beyond the range of floats");
       whole.bounds.add(whole.positions[index]);
     }
     whole.triangles.push_back(placed);

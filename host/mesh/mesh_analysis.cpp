@@ -34,7 +34,8 @@ MeshAnalysis analyse(const TriangleMesh& mesh) {
   std::unordered_set<std::uint64_t> seen;
   seen.reserve(mesh.triangles.size());
   for (const auto& triangle : mesh.triangles) {
-    const dvec3 p0(mesh.positions[triangle[0]]), p1(mesh.positions[triangle[1]]), p2(mesh.positions[triangle[2]]);
+    const dvec3 p0(mesh.positions[triangle[0]]), p1(mesh.positions[triangle[1]]),
+        p2(mesh.positions[triangle[2]]);
     analysis.zero_area += glm::cross(p1 - p0, p2 - p0) == dvec3(0);
     analysis.duplicates += !seen.insert(position_key(mesh, triangle)).second;
   }

@@ -9,13 +9,15 @@ namespace nook {
 
 /// What `nook info` says of a mesh beyond the loader's report.
 struct MeshAnalysis {
-  std::uint64_t zero_area = 0;   ///< triangles that no ray can hit
-  std::uint64_t duplicates = 0;  ///< triangles on the same three positions (by value, in any order) as an earlier one
+  std::uint64_t zero_area = 0;  ///< triangles that no ray can hit
+  std::uint64_t duplicates =
+      0;  ///< triangles on the same three positions (by value, in any order) as an earlier one
 };
 
 MeshAnalysis analyse(const TriangleMesh& mesh);
 
-/// 128 bits over everything that decides the picture: positions, normals, indices, materials. 32 hexadecimal digits.
+/// 128 bits over everything that decides the picture: positions, normals, indices, materials. 32 hexadecimal
+/// digits.
 std::string mesh_hash(const TriangleMesh& mesh);
 
 }  // namespace nook

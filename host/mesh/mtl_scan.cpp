@@ -37,12 +37,14 @@ std::set<std::string> materials_with_lobe(std::string_view text, const std::stri
     const std::vector<std::string> values{std::istream_iterator<std::string>(words), {}};
     if (key == "newmtl") {
       const std::size_t first = line.find_first_not_of(" \t", line.find("newmtl") + 6);
-      material = first == std::string::npos ? "" : line.substr(first, line.find_last_not_of(" \t\r") + 1 - first);
+      material =
+          first == std::string::npos ? "" : line.substr(first, line.find_last_not_of(" \t\r") + 1 - first);
     } else if (key == "Ns") {
       if (values.size() != 1 || !is_exponent(values[0]))
         throw Error(ExitCode::scene, fmt::format("{}:{}: Ns must be a number from 0 to 1e7", name, number));
       shiny.insert(material);
-    } else if (key == "Ks" && values.size() == 3 && is_zero(values[0]) && is_zero(values[1]) && is_zero(values[2])) {
+    } else if (key == "Ks" && values.size() == 3 && is_zero(values[0]) && is_zero(values[1]) &&
+               is_zero(values[2])) {
       black.insert(material);
     }
   }

@@ -29,8 +29,8 @@ struct MemoryBuffer : std::streambuf {
 class MaterialFiles : public tinyobj::MaterialReader {
  public:
   explicit MaterialFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
-  bool operator()(const std::string& id, std::vector<tinyobj::material_t>* materials, std::map<std::string, int>* map,
-                  std::string* warn, std::string* err) override {
+  bool operator()(const std::string& id, std::vector<tinyobj::material_t>* materials,
+                  std::map<std::string, int>* map, std::string* warn, std::string* err) override {
     std::error_code code;
     if (!std::filesystem::is_regular_file(folder_ / id, code)) return false;
     std::ifstream in(folder_ / id, std::ios::binary);
@@ -50,7 +50,8 @@ class MaterialFiles : public tinyobj::MaterialReader {
 std::string read_text(const std::filesystem::path& path) {
   std::error_code code;
   const auto status = std::filesystem::status(path, code);
-  if (!std::filesystem::exists(status)) throw Error(ExitCode::scene, fmt::format("{}: no such file", path.string()));
+  if (!std::filesystem::exists(status))
+    throw Error(ExitCode::scene, fmt::format("{}: no such file", path.string()));
   if (!std::filesystem::is_regular_file(status))
     throw Error(ExitCode::scene, fmt::format("{}: not a regular file", path.string()));
   std::ifstream in(path, std::ios::binary);
@@ -61,7 +62,9 @@ std::string read_text(const std::filesystem::path& path) {
   return text;
 }
 
-bool finite(const vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool finite(const vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 std::vector<vec3> triples(const std::vector<tinyobj::real_t>& values) {
   std::vector<vec3> out(values.size() / 3);
@@ -84,7 +87,8 @@ std::uint32_t corner_normal(const TriangleMesh& mesh, int index) {
   return usable ? std::uint32_t(index) : TriangleMesh::no_normal;
 }
 
-void append_shape(const tinyobj::shape_t& shape, std::uint32_t group, const MeshAttributes& want, TriangleMesh& mesh) {
+void append_shape(const tinyobj::shape_t& shape, std::uint32_t group, const MeshAttributes& want,
+                  TriangleMesh& mesh) {
   const auto& indices = shape.mesh.indices;
   for (std::size_t first = 0; first + 2 < indices.size(); first += 3) {
     ++mesh.report.triangles_read;
@@ -111,14 +115,18 @@ void append_shape(const tinyobj::shape_t& shape, std::uint32_t group, const Mesh
 }
 
 // Every index in range, for positions as for what is optional: tinyobjloader only warns, or drops the face.
-bool indices_valid(const tinyobj::attrib_t& attrib, const std::vector<tinyobj::shape_t>& shapes, const std::string& warnings) {
-  if (warnings.find("out of bounds") != std::string::npos || warnings.find("invalid vertex index") != std::string::npos)
+bool indices_valid(const tinyobj::attrib_t& attrib, const std::vector<tinyobj::shape_t>& shapes,
+                   const std::string& warnings) {
+  if (warnings.find("out of bounds") != std::string::npos ||
+      warnings.find("invalid vertex index") != std::string::npos)
     return false;
   const auto positions = int(attrib.vertices.size() / 3), normals = int(attrib.normals.size() / 3),
              uvs = int(attrib.texcoords.size() / 2);
   for (const auto& shape : shapes)
     for (const auto& i : shape.mesh.indices)
-      if (i.vertex_index < 0 || i.vertex_index >= positions || i.normal_index >= normals || i.texcoord_index >= uvs) return false;
+      if (i.vertex_index < 0 || i.vertex_index >= positions || i.normal_index >= normals ||
+          i.texcoord_index >= uvs)
+        return false;
   return true;
 }
 
@@ -141,7 +149,9 @@ TriangleMesh load_obj(const std::filesystem::path& path, const MeshAttributes& w
                                        /*default_vcols_fallback=*/false);
   if (!parsed || !indices_valid(attrib, shapes, warnings)) {
     std::string place = find_bad_face(text, name);
-    if (place.empty()) place = fmt::format("{}: {}", name, errors.empty() ? "a face cannot be read" : errors.substr(0, errors.find('\n')));
+    if (place.empty())
+      place = fmt::format("{}: {}", name,
+                          errors.empty() ? "a face cannot be read" : errors.substr(0, errors.find('\n')));
     throw Error(ExitCode::scene, place);
   }
   std::string().swap(text);
@@ -157,7 +167,8 @@ TriangleMesh load_obj(const std::filesystem::path& path, const MeshAttributes& w
     normalise(mesh);
   }
   if (want.uvs)
-    for (std::size_t i = 0; i + 1 < attrib.texcoords.size(); i += 2) mesh.uvs.emplace_back(attrib.texcoords[i], attrib.texcoords[i + 1]);
+    for (std::size_t i = 0; i + 1 < attrib.texcoords.size(); i += 2)
+      mesh.uvs.emplace_back(attrib.texcoords[i], attrib.texcoords[i + 1]);
   for (const tinyobj::shape_t& shape : shapes) {
     append_shape(shape, std::uint32_t(mesh.groups.size()), want, mesh);
     if (want.groups) mesh.groups.push_back(shape.name);
@@ -169,11 +180,14 @@ TriangleMesh load_obj(const std::filesystem::path& path, const MeshAttributes& w
     mesh.triangle_normals.clear();
     mesh.report.normals_replaced = 0;
   }
-  for (const tinyobj::material_t& m : materials) mesh.materials.push_back({m.name, material_files.has_lobe(m.name) ? m.shininess : -1.0f, m.alpha_texname});
+  for (const tinyobj::material_t& m : materials)
+    mesh.materials.push_back(
+        {m.name, material_files.has_lobe(m.name) ? m.shininess : -1.0f, m.alpha_texname});
   if (mesh.triangles.empty())
     throw Error(ExitCode::scene,
                 mesh.report.non_finite_dropped
-                    ? fmt::format("{}: no triangle is left ({} have NaN or infinite vertices)", name, mesh.report.non_finite_dropped)
+                    ? fmt::format("{}: no triangle is left ({} have NaN or infinite vertices)", name,
+                                  mesh.report.non_finite_dropped)
                     : fmt::format("{}: the mesh has no triangles", name));
   return mesh;
 }

@@ -15,7 +15,8 @@ struct MeshAttributes {
 };
 
 /// Reads a Wavefront OBJ file (by tinyobjloader), triangulated.
-/// Throws Error(scene) with one line: missing file, not a regular file, no triangles, index out of range (with the face).
+/// Throws Error(scene) with one line: missing file, not a regular file, no triangles, index out of range
+/// (with the face).
 TriangleMesh load_obj(const std::filesystem::path& path, const MeshAttributes& attributes = {});
 
 }  // namespace nook

@@ -11,7 +11,9 @@
 namespace nook {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r';
+}
 
 // Calls visit(line, number) for each line, leading blanks removed.
 template <class Visit>
@@ -47,7 +49,8 @@ bool has_non_finite(std::string_view values, const std::string& name, std::size_
     numbers += !in_word && !is_blank(c);
     in_word = !is_blank(c);
   }
-  if (numbers < 3) throw Error(ExitCode::scene, fmt::format("{}:{}: {} numbers, expected 3", name, number, numbers));
+  if (numbers < 3)
+    throw Error(ExitCode::scene, fmt::format("{}:{}: {} numbers, expected 3", name, number, numbers));
   if (!letters) return false;
   bool non_finite = false;
   for (std::string_view word = next_word(values); !word.empty() && word[0] != '#'; word = next_word(values)) {
@@ -55,7 +58,8 @@ bool has_non_finite(std::string_view values, const std::string& name, std::size_
     double value = 0;
     const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (code == std::errc::invalid_argument || end != digits.data() + digits.size())
-      throw Error(ExitCode::scene, fmt::format("{}:{}: '{}' is not a number", name, number, word.substr(0, 40)));
+      throw Error(ExitCode::scene,
+                  fmt::format("{}:{}: '{}' is not a number", name, number, word.substr(0, 40)));
     non_finite |= !(value - value == 0) || code == std::errc::result_out_of_range;
   }
   return non_finite;
@@ -92,7 +96,8 @@ void check_digits(std::string_view face, const std::string& name, std::size_t nu
     if (digits < 10) continue;
     const std::string_view rest = face.substr(i + 1 - digits);
     const std::size_t end = std::min<std::size_t>(rest.find_first_not_of("0123456789"), 40);
-    throw Error(ExitCode::scene, fmt::format("{}:{}: face index {} is out of range", name, number, rest.substr(0, end)));
+    throw Error(ExitCode::scene,
+                fmt::format("{}:{}: face index {} is out of range", name, number, rest.substr(0, end)));
   }
 }
 
@@ -126,8 +131,10 @@ std::string find_bad_face(std::string_view text, const std::string& name) {
       counts.normals += line[1] == 'n';
     } else if (line[0] == 'f' && is_blank(line[1])) {
       line.remove_prefix(1);
-      for (std::string_view word = next_word(line); !word.empty() && found.empty() && word[0] != '#'; word = next_word(line))
-        if (const std::string wrong = check_corner(word, counts); !wrong.empty()) found = fmt::format("{}:{}: {}", name, number, wrong);
+      for (std::string_view word = next_word(line); !word.empty() && found.empty() && word[0] != '#';
+           word = next_word(line))
+        if (const std::string wrong = check_corner(word, counts); !wrong.empty())
+          found = fmt::format("{}:{}: {}", name, number, wrong);
     }
   });
   return found;

@@ -16,8 +16,8 @@ struct ObjScan {
 /// Throws Error(scene) "<name>:<line>: ..." at a `v` or `vn` line that holds something other than numbers.
 ObjScan scan_obj(std::string_view text, const std::string& name);
 
-/// "<name>:<line>: face index 9 is out of range (8 positions so far)" for the first face whose position, uv or normal
-/// index names nothing defined above it; "" if there is none.
+/// "<name>:<line>: face index 9 is out of range (8 positions so far)" for the first face whose position, uv
+/// or normal index names nothing defined above it; "" if there is none.
 std::string find_bad_face(std::string_view text, const std::string& name);
 
 }  // namespace nook

@@ -16,12 +16,13 @@ struct VertexProperty {
   std::vector<float> values;
 };
 
-/// Reads a PLY file, ASCII or binary little-endian: vertices x, y, z and, all three, nx, ny, nz; faces as a list vertex_indices (or
-/// vertex_index), polygons as fans. What else it holds is skipped. Throws Error(scene) with one line that says where.
+/// Reads a PLY file, ASCII or binary little-endian: vertices x, y, z and, all three, nx, ny, nz; faces as a
+/// list vertex_indices (or vertex_index), polygons as fans. What else it holds is skipped. Throws
+/// Error(scene) with one line that says where.
 TriangleMesh load_ply(const std::filesystem::path& path, const MeshAttributes& attributes = {});
 
-/// Writes positions, `normals` (one each), `properties` and triangles as a binary little-endian PLY file (temporary name and rename).
-/// Throws Error(output).
+/// Writes positions, `normals` (one each), `properties` and triangles as a binary little-endian PLY file
+/// (temporary name and rename). Throws Error(output).
 void write_ply(const std::filesystem::path& path, const TriangleMesh& mesh, std::span<const vec3> normals,
                std::span<const VertexProperty> properties);
 

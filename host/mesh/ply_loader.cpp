@@ -42,7 +42,8 @@ class PlyFile {
   explicit PlyFile(const std::filesystem::path& path) : name_(path.string()) {
     std::error_code code;
     if (!std::filesystem::exists(path, code)) throw Error(ExitCode::scene, name_ + ": no such file");
-    if (!std::filesystem::is_regular_file(path, code)) throw Error(ExitCode::scene, name_ + ": not a regular file");
+    if (!std::filesystem::is_regular_file(path, code))
+      throw Error(ExitCode::scene, name_ + ": not a regular file");
     std::ifstream in(path, std::ios::binary);
     text_.assign(std::istreambuf_iterator<char>(in), {});
     if (!in && text_.empty()) throw Error(ExitCode::scene, name_ + ": cannot be read");
@@ -54,7 +55,8 @@ class PlyFile {
   bool binary() const { return binary_; }
 
   [[noreturn]] void fail(const std::string& what) const {
-    throw Error(ExitCode::scene, line_ ? fmt::format("{}:{}: {}", name_, line_, what) : fmt::format("{}: byte {}: {}", name_, at_, what));
+    throw Error(ExitCode::scene, line_ ? fmt::format("{}:{}: {}", name_, line_, what)
+                                       : fmt::format("{}: byte {}: {}", name_, at_, what));
   }
 
   double value(int type) { return binary_ ? binary_value(type) : word_value(); }
@@ -84,7 +86,9 @@ class PlyFile {
       words >> word;
       if (word == "format") {
         words >> word;
-        if (word != "ascii" && word != "binary_little_endian") fail(fmt::format("format '{}' is not supported: ascii or binary_little_endian", word.substr(0, 40)));
+        if (word != "ascii" && word != "binary_little_endian")
+          fail(
+              fmt::format("format '{}' is not supported: ascii or binary_little_endian", word.substr(0, 40)));
         binary_ = word != "ascii";
         known_format_ = true;
       } else if (word == "element") {
@@ -92,7 +96,8 @@ class PlyFile {
         std::string count;
         words >> element.name >> count;
         const auto [end, code] = std::from_chars(count.data(), count.data() + count.size(), element.count);
-        if (code != std::errc() || end != count.data() + count.size() || element.count > 0xfffffff0u) fail("an element needs a name and a count");
+        if (code != std::errc() || end != count.data() + count.size() || element.count > 0xfffffff0u)
+          fail("an element needs a name and a count");
       } else if (word == "property") {
         if (elements_.empty()) fail("a property before any element");
         Property property;
@@ -123,14 +128,22 @@ class PlyFile {
       return double(number);
     };
     switch (type) {
-      case 0: return as(std::int8_t());
-      case 1: return as(std::uint8_t());
-      case 2: return as(std::int16_t());
-      case 3: return as(std::uint16_t());
-      case 4: return as(std::int32_t());
-      case 5: return as(std::uint32_t());
-      case 6: return as(float());
-      default: return as(double());
+      case 0:
+        return as(std::int8_t());
+      case 1:
+        return as(std::uint8_t());
+      case 2:
+        return as(std::int16_t());
+      case 3:
+        return as(std::uint16_t());
+      case 4:
+        return as(std::int32_t());
+      case 5:
+        return as(std::uint32_t());
+      case 6:
+        return as(float());
+      default:
+        return as(double());
     }
   }
 
@@ -146,7 +159,8 @@ class PlyFile {
     if (end == at_) fail("the file ends too early");
     double number = 0;
     const auto [stop, code] = std::from_chars(text_.data() + at_, text_.data() + end, number);
-    if (code != std::errc() || stop != text_.data() + end) fail(fmt::format("'{}' is not a number", text_.substr(at_, std::min<std::size_t>(end - at_, 40))));
+    if (code != std::errc() || stop != text_.data() + end)
+      fail(fmt::format("'{}' is not a number", text_.substr(at_, std::min<std::size_t>(end - at_, 40))));
     at_ = end;
     return number;
   }
@@ -157,7 +171,9 @@ class PlyFile {
   std::vector<Element> elements_;
 };
 
-bool finite(const vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool finite(const vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 void read_vertices(PlyFile& file, const Element& element, TriangleMesh& mesh, std::vector<vec3>& normals) {
   static constexpr std::string_view names[] = {"x", "y", "z", "nx", "ny", "nz"};
@@ -169,7 +185,8 @@ void read_vertices(PlyFile& file, const Element& element, TriangleMesh& mesh, st
   if (place[0] < 0 || place[1] < 0 || place[2] < 0) file.fail("vertices need the properties x, y and z");
   const bool with_normals = place[3] >= 0 && place[4] >= 0 && place[5] >= 0;
   // No count is believed that the file cannot hold: a value takes a byte at least, in text two.
-  if (element.count > file.bytes_left() / (file.binary() ? 1 : 2)) file.fail(fmt::format("{} vertices are more than the file holds", element.count));
+  if (element.count > file.bytes_left() / (file.binary() ? 1 : 2))
+    file.fail(fmt::format("{} vertices are more than the file holds", element.count));
   std::vector<double> row(element.properties.size());
   for (std::uint64_t i = 0; i < element.count; ++i) {
     for (std::size_t p = 0; p < row.size(); ++p) {
@@ -179,7 +196,8 @@ void read_vertices(PlyFile& file, const Element& element, TriangleMesh& mesh, st
         for (double rest = row[p]; rest >= 1; --rest) file.value(property.type);
     }
     const auto triple = [&](std::size_t n) {
-      return vec3(float(row[std::size_t(place[n])]), float(row[std::size_t(place[n + 1])]), float(row[std::size_t(place[n + 2])]));
+      return vec3(float(row[std::size_t(place[n])]), float(row[std::size_t(place[n + 1])]),
+                  float(row[std::size_t(place[n + 2])]));
     };
     mesh.positions.push_back(triple(0));
     if (with_normals) normals.push_back(triple(3));
@@ -188,20 +206,25 @@ void read_vertices(PlyFile& file, const Element& element, TriangleMesh& mesh, st
 
 // Polygons of three corners and more, as fans; corners are checked once all vertices are known.
 void read_faces(PlyFile& file, const Element& element, std::vector<std::array<std::uint32_t, 3>>& triangles) {
-  const auto is_indices = [](const Property& p) { return p.count_type >= 0 && (p.name == "vertex_indices" || p.name == "vertex_index"); };
+  const auto is_indices = [](const Property& p) {
+    return p.count_type >= 0 && (p.name == "vertex_indices" || p.name == "vertex_index");
+  };
   for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
     std::vector<std::uint32_t> corners;
     for (const Property& property : element.properties) {
       const double count = property.count_type < 0 ? 1 : file.value(property.count_type);
-      if (!(count >= 0 && count <= double(file.bytes_left()))) file.fail(fmt::format("a list of {} values is more than the file holds", count));
+      if (!(count >= 0 && count <= double(file.bytes_left())))
+        file.fail(fmt::format("a list of {} values is more than the file holds", count));
       for (double k = 0; k < count; ++k) {
         const double value = file.value(property.type);
         if (!is_indices(property)) continue;
-        if (!(value >= 0 && value < 4294967295.0)) file.fail(fmt::format("vertex index {} is out of range", value));
+        if (!(value >= 0 && value < 4294967295.0))
+          file.fail(fmt::format("vertex index {} is out of range", value));
         corners.push_back(std::uint32_t(value));
       }
     }
-    for (std::size_t k = 2; k < corners.size(); ++k) triangles.push_back({corners[0], corners[k - 1], corners[k]});
+    for (std::size_t k = 2; k < corners.size(); ++k)
+      triangles.push_back({corners[0], corners[k - 1], corners[k]});
   }
 }
 
@@ -213,12 +236,14 @@ void skip(PlyFile& file, const Element& element) {
     }
 }
 
-void add_triangle(const PlyFile& file, const std::array<std::uint32_t, 3>& triangle, const std::vector<vec3>& normals, TriangleMesh& mesh) {
+void add_triangle(const PlyFile& file, const std::array<std::uint32_t, 3>& triangle,
+                  const std::vector<vec3>& normals, TriangleMesh& mesh) {
   ++mesh.report.triangles_read;
   std::array<std::uint32_t, 3> corner_normals{};
   for (std::size_t k = 0; k < 3; ++k) {
     if (triangle[k] >= mesh.positions.size())
-      file.fail(fmt::format("vertex index {} is out of range ({} vertices)", triangle[k], mesh.positions.size()));
+      file.fail(
+          fmt::format("vertex index {} is out of range ({} vertices)", triangle[k], mesh.positions.size()));
     if (!finite(mesh.positions[triangle[k]])) {
       ++mesh.report.non_finite_dropped;
       return;

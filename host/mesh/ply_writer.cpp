@@ -20,10 +20,12 @@ void append(std::string& out, const T& value) {
 
 void write_ply(const std::filesystem::path& path, const TriangleMesh& mesh, std::span<const vec3> normals,
                std::span<const VertexProperty> properties) {
-  std::string out = fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n", mesh.positions.size());
+  std::string out =
+      fmt::format("ply\nformat binary_little_endian 1.0\nelement vertex {}\n", mesh.positions.size());
   for (const char* name : {"x", "y", "z", "nx", "ny", "nz"}) out += fmt::format("property float {}\n", name);
   for (const VertexProperty& property : properties) out += fmt::format("property float {}\n", property.name);
-  out += fmt::format("element face {}\nproperty list uchar uint vertex_indices\nend_header\n", mesh.triangles.size());
+  out += fmt::format("element face {}\nproperty list uchar uint vertex_indices\nend_header\n",
+                     mesh.triangles.size());
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     append(out, mesh.positions[i]);
     append(out, normals[i]);

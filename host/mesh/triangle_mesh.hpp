@@ -21,7 +21,8 @@ struct Material {
 ///
 /// Invariants after loading: every index is in range; positions of every triangle are finite; `normals` are
 /// unit length. A corner without a usable normal has index `no_normal`: it shades with the geometric normal.
-/// `triangle_normals`, `triangle_uvs` and `triangle_material` are either empty (the mesh has none) or as long as `triangles`.
+/// `triangle_normals`, `triangle_uvs` and `triangle_material` are either empty (the mesh has none) or as long
+/// as `triangles`.
 struct TriangleMesh {
   static constexpr std::uint32_t no_normal = 0xffffffffu;
 
@@ -35,8 +36,8 @@ struct TriangleMesh {
   std::vector<std::uint32_t> triangle_group;     ///< index into groups
   std::vector<Material> materials;
   std::vector<std::string> groups;
-  Bounds3 bounds;  ///< of the positions that triangles use
-  Bounds3 subject; ///< the bounds without the ground that a scene added; empty if there is none
+  Bounds3 bounds;   ///< of the positions that triangles use
+  Bounds3 subject;  ///< the bounds without the ground that a scene added; empty if there is none
   /// What automatic distances and cameras refer to.
   const Bounds3& subject_bounds() const { return subject.empty() ? bounds : subject; }
 

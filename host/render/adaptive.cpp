@@ -14,7 +14,8 @@ constexpr std::uint32_t never = 0xffffffffu;
 // The sums of one pixel's replicates, as numbers.
 SampleSums sums_of(const Film& film, std::size_t i) {
   const double scale = double(film.sum_scale) * film.per_replicate;
-  return {double(film.sum[i]) / scale, double(film.sum_square[i]) / film.square_scale, double(film.replicates[i])};
+  return {double(film.sum[i]) / scale, double(film.sum_square[i]) / film.square_scale,
+          double(film.replicates[i])};
 }
 
 SampleSums operator-(const SampleSums& a, const SampleSums& b) {
@@ -47,10 +48,16 @@ Plan AdaptiveRender::plan_for(Plan plan, const ErrorTarget& target) {
 }
 
 AdaptiveRender::AdaptiveRender(PathTracer& tracer, const Plan& plan, const ErrorTarget& target)
-    : tracer_(tracer), plan_(plan), target_(target), z_(target.z()), order_(pixels_in_order(plan.window, plan.width)), films_(tracer.make_films()) {
+    : tracer_(tracer),
+      plan_(plan),
+      target_(target),
+      z_(target.z()),
+      order_(pixels_in_order(plan.window, plan.width)),
+      films_(tracer.make_films()) {
   for (const std::uint32_t pixel : order_) place_.push_back(plan_.film_index(pixel));
-  const bool all_counts = std::all_of(plan_.effects.begin(), plan_.effects.end(),
-                                      [&](const EffectPlan& effect) { return samples_are_counts(effect, plan_.directions); });
+  const bool all_counts =
+      std::all_of(plan_.effects.begin(), plan_.effects.end(),
+                  [&](const EffectPlan& effect) { return samples_are_counts(effect, plan_.directions); });
   if (!all_counts) target_.min_spp = std::max(target_.min_spp, pilot_samples);
   for (const EffectPlan& effect : plan_.effects) {
     EffectState& state = effects_.emplace_back();
@@ -68,7 +75,8 @@ AdaptiveRender::~AdaptiveRender() = default;
 void AdaptiveRender::finish_background() {
   const int width = plan_.window.width(), height = plan_.window.height();
   const auto empty = [&](int x, int y) {
-    return x < 0 || y < 0 || x >= width || y >= height || films_.front().hits[std::size_t(y) * std::size_t(width) + std::size_t(x)] == 0;
+    return x < 0 || y < 0 || x >= width || y >= height ||
+           films_.front().hits[std::size_t(y) * std::size_t(width) + std::size_t(x)] == 0;
   };
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
@@ -82,8 +90,8 @@ void AdaptiveRender::finish_background() {
     }
 }
 
-// After the pilot: how many samples each pixel gets. The variance is the pixel's own or the mean over its 3x3 neighbourhood,
-// whichever is larger: 64 samples often show too little of it.
+// After the pilot: how many samples each pixel gets. The variance is the pixel's own or the mean over its 3x3
+// neighbourhood, whichever is larger: 64 samples often show too little of it.
 void AdaptiveRender::plan_samples(EffectState& effect) {
   const Film& film = films_[std::size_t(&effect - effects_.data())];
   const int width = plan_.window.width(), height = plan_.window.height();
@@ -112,7 +120,8 @@ void AdaptiveRender::mark_done(EffectState& effect, std::uint32_t stage) {
   for (std::size_t i = 0; i < film.pixels(); ++i) {
     if (effect.samples_at_stop[i] != never || film.camera_samples[i] < stage) continue;
     const SampleSums sums = sums_of(film, i);
-    const bool done = effect.counts ? effect.counts->done(stage, std::uint32_t(std::lround(sums.sum))) : stage >= effect.planned[i];
+    const bool done = effect.counts ? effect.counts->done(stage, std::uint32_t(std::lround(sums.sum)))
+                                    : stage >= effect.planned[i];
     if (!done) continue;
     effect.samples_at_stop[i] = stage;
     effect.stopped[i] = sums;
@@ -127,7 +136,8 @@ double AdaptiveRender::samples_left() const {
       const EffectState& effect = effects_[e];
       if (effect.samples_at_stop[i] != never) continue;
       const SampleSums s = sums_of(films_[e], i);
-      const double total = effect.counts ? samples_needed(s.mean(), s.mean(), 1, target_.error, z_) : double(effect.planned[i]);
+      const double total = effect.counts ? samples_needed(s.mean(), s.mean(), 1, target_.error, z_)
+                                         : double(effect.planned[i]);
       most = std::max(most, std::min(total, double(target_.max_spp)) - s.count);
     }
     left += most;
@@ -144,12 +154,13 @@ AdaptiveResult AdaptiveRender::run(const Progress& progress) {
     const std::uint64_t before = now.samples_done;
     const double left_before = now.samples_left;
     std::uint64_t samples = 0;
-    const bool complete = tracer_.accumulate(active, {taken, stage - taken}, films_, [&](std::span<const Finished> finished) {
-      for (const Finished& part : finished) samples += (part.end - part.begin) * part.range.count;
-      now.samples_done = before + samples;
-      now.samples_left = std::max(0.0, left_before - double(samples));
-      return !(stop = stop || (progress && !progress(now)));
-    });
+    const bool complete =
+        tracer_.accumulate(active, {taken, stage - taken}, films_, [&](std::span<const Finished> finished) {
+          for (const Finished& part : finished) samples += (part.end - part.begin) * part.range.count;
+          now.samples_done = before + samples;
+          now.samples_left = std::max(0.0, left_before - double(samples));
+          return !(stop = stop || (progress && !progress(now)));
+        });
     stop = stop || !complete;
     if (stop && taken == 0) break;  // no pixel has what a decision needs
     if (taken == 0) {
@@ -161,7 +172,8 @@ AdaptiveResult AdaptiveRender::run(const Progress& progress) {
     for (EffectState& effect : effects_) mark_done(effect, stage);
     active.clear();
     for (std::size_t p = 0; p < order_.size(); ++p)
-      if (std::any_of(effects_.begin(), effects_.end(), [&](const EffectState& e) { return e.samples_at_stop[place_[p]] == never; }))
+      if (std::any_of(effects_.begin(), effects_.end(),
+                      [&](const EffectState& e) { return e.samples_at_stop[place_[p]] == never; }))
         active.push_back(order_[p]);
     now.share_done = 1 - double(active.size()) / double(order_.size());
     now.samples_left = samples_left();
@@ -189,9 +201,10 @@ AdaptiveResult AdaptiveRender::result() const {
       open += !done;
       const std::uint32_t n = done ? effect.samples_at_stop[i] : film.camera_samples[i];
       SampleSums sums = done ? effect.stopped[i] : sums_of(film, i);
-      if (!effect.pilot.empty() && !background_[i] && sums.count > effect.pilot[i].count) sums = sums - effect.pilot[i];
+      if (!effect.pilot.empty() && !background_[i] && sums.count > effect.pilot[i].count)
+        sums = sums - effect.pilot[i];
       const double half = background_[i] ? 0 : score_interval(sums, effect.bound, z_).half_width();
-      const double value = background_[i] ? 0
+      const double value = background_[i]  ? 0
                            : effect.counts ? effect.counts->estimate(n, std::uint32_t(std::lround(sums.sum)))
                                            : sums.mean();
       const double variance = (half / z_) * (half / z_);
@@ -216,7 +229,8 @@ Image AdaptiveRender::picture(FilmPart part, const AdaptiveResult& result) const
     const std::string& layer = part.layers[e];
     const std::string of_effect = layer.empty() ? "AO." : layer;
     for (Channel& channel : image.channels) {
-      if (channel.name == layer + "R" || channel.name == layer + "G" || channel.name == layer + "B") channel.values = result.effects[e].value;
+      if (channel.name == layer + "R" || channel.name == layer + "G" || channel.name == layer + "B")
+        channel.values = result.effects[e].value;
       if (channel.name == of_effect + "variance") channel.values = result.effects[e].variance;
       if (channel.name == of_effect + "samples") channel.values = result.effects[e].samples;
     }

@@ -7,10 +7,11 @@
 namespace nook {
 namespace {
 
-constexpr std::size_t run_length = 64;  // pixels that are neighbours: rays as coherent as in the whole picture
+constexpr std::size_t run_length =
+    64;  // pixels that are neighbours: rays as coherent as in the whole picture
 constexpr std::uint32_t samples_a_pass = 64;
-// What the rules take beyond the samples that their target needs: stages are an eighth apart, and plans of a pilot are on
-// the safe side.
+// What the rules take beyond the samples that their target needs: stages are an eighth apart, and plans of a
+// pilot are on the safe side.
 constexpr double counts_surplus = 1.06, planned_surplus = 1.12;
 
 std::vector<std::uint32_t> spread_runs(const std::vector<std::uint32_t>& order, std::size_t wanted) {
@@ -18,18 +19,23 @@ std::vector<std::uint32_t> spread_runs(const std::vector<std::uint32_t>& order, 
   const std::size_t step = std::max<std::size_t>(1, runs * run_length / std::max<std::size_t>(wanted, 1));
   std::vector<std::uint32_t> chosen;
   for (std::size_t run = step / 2; run < runs; run += step)
-    for (std::size_t i = run * run_length; i < std::min(order.size(), (run + 1) * run_length); ++i) chosen.push_back(order[i]);
+    for (std::size_t i = run * run_length; i < std::min(order.size(), (run + 1) * run_length); ++i)
+      chosen.push_back(order[i]);
   return chosen.empty() ? order : chosen;
 }
 
 }  // namespace
 
-Forecast forecast(PathTracer& tracer, const Plan& plan, const ErrorTarget& target, std::span<const double> errors, double seconds) {
+Forecast forecast(PathTracer& tracer, const Plan& plan, const ErrorTarget& target,
+                  std::span<const double> errors, double seconds) {
   using Clock = std::chrono::steady_clock;
-  const auto since = [](Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const auto since = [](Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
   const Clock::time_point start = Clock::now();
   const std::vector<std::uint32_t> order = pixels_in_order(plan.window, plan.width);
-  const std::vector<std::uint32_t> pixels = spread_runs(order, std::max<std::size_t>(8192, order.size() / 32));
+  const std::vector<std::uint32_t> pixels =
+      spread_runs(order, std::max<std::size_t>(8192, order.size() / 32));
   std::vector<Film> films = tracer.make_films();
   // The first launches load code and fill caches: they count as samples, not as speed.
   std::uint32_t taken = 16;

@@ -20,8 +20,10 @@ struct Forecast {
   std::vector<ForecastRow> rows;  ///< one per error asked about
 };
 
-/// Predicts AdaptiveRender from a pilot on every so-manieth run of 64 neighbouring pixels, which takes about `seconds`: the samples
-/// each needs follow from its mean and variance, the time from the rate. tracer and plan as for AdaptiveRender.
-Forecast forecast(PathTracer& tracer, const Plan& plan, const ErrorTarget& target, std::span<const double> errors, double seconds);
+/// Predicts AdaptiveRender from a pilot on every so-manieth run of 64 neighbouring pixels, which takes about
+/// `seconds`: the samples each needs follow from its mean and variance, the time from the rate. tracer and
+/// plan as for AdaptiveRender.
+Forecast forecast(PathTracer& tracer, const Plan& plan, const ErrorTarget& target,
+                  std::span<const double> errors, double seconds);
 
 }  // namespace nook

@@ -11,8 +11,9 @@
 namespace nook {
 namespace {
 
-// A launch is bounded by the surface points it holds (64 bytes each, two launches under way) and by its rays, so that
-// progress, time limits and interrupts are seen often; it stays far above the cost of an enqueue (25-80 µs).
+// A launch is bounded by the surface points it holds (64 bytes each, two launches under way) and by its rays,
+// so that progress, time limits and interrupts are seen often; it stays far above the cost of an enqueue
+// (25-80 µs).
 constexpr std::uint64_t points_per_launch = 1u << 19;
 constexpr std::uint64_t rays_per_launch = 1u << 22;
 // One work-item does at most this many camera samples, and traces about this many rays.
@@ -58,7 +59,7 @@ struct PathTracer::Slot {
   std::vector<ClBuffer> results;
   std::vector<std::vector<TaskResult>> host_results;
   std::vector<ClEvent> kernels;  // launched and not yet added to the counters
-  std::vector<ClBuffer> extra;                          // by effect; of those without extra sums, one unused byte
+  std::vector<ClBuffer> extra;   // by effect; of those without extra sums, one unused byte
   std::vector<std::vector<std::uint64_t>> host_extra;
   bool busy = false;
 };
@@ -67,19 +68,23 @@ PathTracer::PathTracer(const Device& device, const Plan& plan, const TriangleMes
                        const KernelSource& source, Traversal traversal)
     : device_(device),
       plan_(plan),
-      scalar_traversal_(traversal == Traversal::automatic ? !device.info().is_cpu() : traversal == Traversal::scalar),
+      scalar_traversal_(traversal == Traversal::automatic ? !device.info().is_cpu()
+                                                          : traversal == Traversal::scalar),
       nodes_(device.input(bvh.nodes)),
       leaves_(device.input(bvh.leaves)),
       positions_(device.input(mesh.positions)),
       triangles_(device.input(mesh.triangles)) {
   // What no kernel reads is not uploaded; an argument needs a buffer all the same.
-  const auto optional = [&](bool wanted, const auto& data) { return wanted ? device.input(data) : device.buffer(0, CL_MEM_READ_ONLY); };
+  const auto optional = [&](bool wanted, const auto& data) {
+    return wanted ? device.input(data) : device.buffer(0, CL_MEM_READ_ONLY);
+  };
   normals_ = optional(plan_.vertex_normals, mesh.normals);
   triangle_normals_ = optional(plan_.vertex_normals, mesh.triangle_normals);
   triangle_materials_ = optional(plan_.materials, mesh.triangle_material);
   exponents_ = optional(!plan_.exponents.empty(), plan_.exponents);
   primary_ = build(primary_kernel(plan_), source);
-  for (const EffectPlan& effect : plan_.effects) effects_.push_back(build(occlusion_kernel(plan_, effect), source));
+  for (const EffectPlan& effect : plan_.effects)
+    effects_.push_back(build(occlusion_kernel(plan_, effect), source));
   counters_.effect_rays.resize(effects_.size());
 }
 
@@ -114,12 +119,14 @@ EstimatorParams PathTracer::params_for(const EffectPlan& effect, const Batch& ba
   return params;
 }
 
-// One work-item a work-group on CPUs: the streams are the vectors there, and PoCL's work-item loops would split them.
+// One work-item a work-group on CPUs: the streams are the vectors there, and PoCL's work-item loops would
+// split them.
 void PathTracer::launch(cl_kernel kernel, std::size_t count, ClEvent* event) {
   const std::size_t local = device_.info().is_cpu() ? 1 : 64;
   const std::size_t global = (count + local - 1) / local * local;
   cl_event raw = nullptr;
-  check_opencl(opencl().clEnqueueNDRangeKernel(device_.queue(), kernel, 1, nullptr, &global, &local, 0, nullptr, event ? &raw : nullptr),
+  check_opencl(opencl().clEnqueueNDRangeKernel(device_.queue(), kernel, 1, nullptr, &global, &local, 0,
+                                               nullptr, event ? &raw : nullptr),
                "cannot launch a kernel");
   if (event) *event = ClEvent(raw);
   ++counters_.launches;
@@ -138,8 +145,8 @@ void PathTracer::submit(Slot& slot) {
       slot.extra.push_back(device_.buffer(count * effect.extra_planes() * sizeof(std::uint64_t)));
     }
   }
-  check_opencl(opencl().clEnqueueWriteBuffer(device_.queue(), slot.tasks.get(), CL_FALSE, 0, count * sizeof(Task),
-                                             batch.tasks.data(), 0, nullptr, nullptr),
+  check_opencl(opencl().clEnqueueWriteBuffer(device_.queue(), slot.tasks.get(), CL_FALSE, 0,
+                                             count * sizeof(Task), batch.tasks.data(), 0, nullptr, nullptr),
                "cannot send tasks");
   cl_mem points = batch.points;
   if (!points) {
@@ -150,7 +157,8 @@ void PathTracer::submit(Slot& slot) {
     }
     points = slot.points.get();
     cl_uint arg = 0;
-    for (const ClBuffer* buffer : {&nodes_, &leaves_, &positions_, &triangles_, &normals_, &triangle_normals_, &triangle_materials_})
+    for (const ClBuffer* buffer :
+         {&nodes_, &leaves_, &positions_, &triangles_, &normals_, &triangle_normals_, &triangle_materials_})
       set_arg(primary_.get(), arg, *buffer);
     set_arg(primary_.get(), arg, plan_.camera);
     set_arg(primary_.get(), arg, params_for(EffectPlan{}, batch));
@@ -186,14 +194,16 @@ void PathTracer::harvest(Slot& slot, std::span<Film> films) {
   for (std::size_t e = 0; e < effects_.size(); ++e) {
     auto& results = slot.host_results[e];
     check_opencl(opencl().clEnqueueReadBuffer(device_.queue(), slot.results[e].get(), CL_TRUE, 0,
-                                              results.size() * sizeof(TaskResult), results.data(), 0, nullptr, nullptr),
+                                              results.size() * sizeof(TaskResult), results.data(), 0, nullptr,
+                                              nullptr),
                  "the device failed");
     const std::size_t planes = plan_.effects[e].extra_planes();
     auto& extra = slot.host_extra[e];
     extra.resize(results.size() * planes);
     if (planes)
-      check_opencl(opencl().clEnqueueReadBuffer(device_.queue(), slot.extra[e].get(), CL_TRUE, 0, extra.size() * sizeof(std::uint64_t),
-                                                extra.data(), 0, nullptr, nullptr),
+      check_opencl(opencl().clEnqueueReadBuffer(device_.queue(), slot.extra[e].get(), CL_TRUE, 0,
+                                                extra.size() * sizeof(std::uint64_t), extra.data(), 0,
+                                                nullptr, nullptr),
                    "the device failed");
     Film& film = films[e];
     for (std::size_t t = 0; t < results.size(); ++t) {
@@ -250,14 +260,15 @@ std::vector<Film> PathTracer::make_films() const {
   return films;
 }
 
-// Tasks in which a pixel has equally many samples, as many as a launch may hold: all pixels' first samples, then all pixels'
-// next, so that a stopped render is even.
+// Tasks in which a pixel has equally many samples, as many as a launch may hold: all pixels' first samples,
+// then all pixels' next, so that a stopped render is even.
 bool PathTracer::accumulate(std::span<const std::uint32_t> pixels, SampleRange range, std::span<Film> films,
                             const Progress& progress) {
   if (pixels.empty() || range.count == 0) return true;
   const bool by_direction = plan_.replicate_directions;
   const std::uint32_t samples_a_task =
-      by_direction ? directions_per_task : std::clamp(directions_per_task / plan_.directions, 1u, samples_per_task);
+      by_direction ? directions_per_task
+                   : std::clamp(directions_per_task / plan_.directions, 1u, samples_per_task);
   const std::uint32_t end = range.first + range.count;
   std::uint32_t first = range.first;
   std::size_t pixel = 0;
@@ -271,13 +282,17 @@ bool PathTracer::accumulate(std::span<const std::uint32_t> pixels, SampleRange r
     batch.total_directions = plan_.directions;
     batch.first_directions = first_directions_here();
     const std::uint64_t rays_of_task = std::uint64_t(batch.samples) * batch.directions;
-    std::uint64_t room = std::max<std::uint64_t>({1, device_.info().compute_units, std::min(points_per_launch / batch.samples, rays_per_launch / rays_of_task)});
-    while (room > 0 && first < end && samples_here() == samples && first_directions_here() == batch.first_directions) {
+    std::uint64_t room = std::max<std::uint64_t>(
+        {1, device_.info().compute_units,
+         std::min(points_per_launch / batch.samples, rays_per_launch / rays_of_task)});
+    while (room > 0 && first < end && samples_here() == samples &&
+           first_directions_here() == batch.first_directions) {
       const std::size_t stop = std::min(pixels.size(), pixel + std::size_t(room));
       batch.finished.push_back({pixel, stop, {first, samples}});
       room -= stop - pixel;
       for (; pixel < stop; ++pixel)
-        batch.tasks.push_back({pixels[pixel], by_direction ? 0 : first, by_direction ? first : 0, nook_uint(batch.tasks.size() * batch.samples)});
+        batch.tasks.push_back({pixels[pixel], by_direction ? 0 : first, by_direction ? first : 0,
+                               nook_uint(batch.tasks.size() * batch.samples)});
       if (pixel == pixels.size()) {
         pixel = 0;
         first += samples;
@@ -288,17 +303,19 @@ bool PathTracer::accumulate(std::span<const std::uint32_t> pixels, SampleRange r
   return run(next, films, progress);
 }
 
-Film PathTracer::estimate_points(std::span<const SurfacePoint> points, std::size_t effect, std::uint32_t directions,
-                                 const Progress& progress) {
+Film PathTracer::estimate_points(std::span<const SurfacePoint> points, std::size_t effect,
+                                 std::uint32_t directions, const Progress& progress) {
   return std::move(estimate_all(points, directions, progress)[effect]);
 }
 
-std::vector<Film> PathTracer::estimate_all(std::span<const SurfacePoint> points, std::uint32_t directions, const Progress& progress) {
+std::vector<Film> PathTracer::estimate_all(std::span<const SurfacePoint> points, std::uint32_t directions,
+                                           const Progress& progress) {
   const std::vector<SurfacePoint> held(points.begin(), points.end());
   const ClBuffer buffer = device_.input(held);
   std::vector<Film> films;
   for (const EffectPlan& planned : plan_.effects)
-    films.emplace_back(int(points.size()), 1, planned.sum_scale, planned.square_scale, plan_.replicate_directions ? 1 : directions, planned.extra_planes());
+    films.emplace_back(int(points.size()), 1, planned.sum_scale, planned.square_scale,
+                       plan_.replicate_directions ? 1 : directions, planned.extra_planes());
   std::uint32_t direction = 0;
   std::size_t row = 0;
   const NextBatch next = [&](Batch& batch) {
@@ -311,7 +328,8 @@ std::vector<Film> PathTracer::estimate_all(std::span<const SurfacePoint> points,
     // Tasks of several direction chunks share a launch, so that a single point keeps every thread busy.
     const std::uint64_t room = std::max<std::uint64_t>(64, rays_per_launch / batch.directions);
     while (batch.tasks.size() < room && direction < directions &&
-           std::min(directions_per_task, directions - direction) == batch.directions && (direction == 0) == batch.first_directions) {
+           std::min(directions_per_task, directions - direction) == batch.directions &&
+           (direction == 0) == batch.first_directions) {
       batch.tasks.push_back({nook_uint(row), 0, direction, nook_uint(row)});
       batch.finished.push_back({row, row + 1, {direction, batch.directions}});
       if (++row == points.size()) {
@@ -338,7 +356,8 @@ std::vector<SurfacePoint> PathTracer::surface_points(std::span<const std::uint32
     const ClBuffer task_buffer = device_.input(tasks);
     const ClBuffer out = device_.buffer(count * sizeof(SurfacePoint));
     cl_uint arg = 0;
-    for (const ClBuffer* buffer : {&nodes_, &leaves_, &positions_, &triangles_, &normals_, &triangle_normals_, &triangle_materials_})
+    for (const ClBuffer* buffer :
+         {&nodes_, &leaves_, &positions_, &triangles_, &normals_, &triangle_normals_, &triangle_materials_})
       set_arg(primary_.get(), arg, *buffer);
     set_arg(primary_.get(), arg, plan_.camera);
     set_arg(primary_.get(), arg, params);
@@ -346,9 +365,10 @@ std::vector<SurfacePoint> PathTracer::surface_points(std::span<const std::uint32
     set_arg(primary_.get(), arg, cl_uint(count));
     set_arg(primary_.get(), arg, out);
     launch(primary_.get(), count);
-    check_opencl(opencl().clEnqueueReadBuffer(device_.queue(), out.get(), CL_TRUE, 0, count * sizeof(SurfacePoint),
-                                              points.data() + begin, 0, nullptr, nullptr),
-                 "the device failed");
+    check_opencl(
+        opencl().clEnqueueReadBuffer(device_.queue(), out.get(), CL_TRUE, 0, count * sizeof(SurfacePoint),
+                                     points.data() + begin, 0, nullptr, nullptr),
+        "the device failed");
     counters_.camera_rays += count;
   }
   return points;

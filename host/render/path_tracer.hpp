@@ -27,28 +27,31 @@ struct RenderCounters {
   std::uint64_t rejected = 0;  ///< estimates that were not finite: kept out of the film
   std::uint64_t launches = 0;
   std::vector<std::uint64_t> effect_rays;  ///< occlusion_rays by effect, in the plan's order
-  double device_seconds = 0;  ///< in kernels, by the device's own clock
+  double device_seconds = 0;               ///< in kernels, by the device's own clock
 };
 
-/// Samples [first, first + count) of a pixel: of its Plan::samples_per_pixel() camera rays or, with one camera ray a pixel,
-/// directions.
+/// Samples [first, first + count) of a pixel: of its Plan::samples_per_pixel() camera rays or, with one
+/// camera ray a pixel, directions.
 struct SampleRange {
   std::uint32_t first = 0, count = 0;
 };
 
-/// What is in the films from now on: samples `range` of the pixels [begin, end) of the list that accumulate() was given.
+/// What is in the films from now on: samples `range` of the pixels [begin, end) of the list that accumulate()
+/// was given.
 struct Finished {
   std::size_t begin = 0, end = 0;
   SampleRange range;
 };
 
-/// How rays go through the tree (kernels/traverse.cl): automatic is stream on CPUs, scalar elsewhere. The same bits.
+/// How rays go through the tree (kernels/traverse.cl): automatic is stream on CPUs, scalar elsewhere. The
+/// same bits.
 enum class Traversal { automatic, stream, scalar };
 
 /// One scene on one device: uploaded once, its kernels specialised to the plan.
 class PathTracer {
  public:
-  /// Where the text of kernels/FILE comes from: kernel_source(), or a test's version of it with a defect planted.
+  /// Where the text of kernels/FILE comes from: kernel_source(), or a test's version of it with a defect
+  /// planted.
   using KernelSource = std::function<std::string(const std::string& file)>;
 
   /// `mesh` and `bvh` must outlive it: where device and host share memory they are used in place.
@@ -56,8 +59,8 @@ class PathTracer {
   PathTracer(const Device& device, const Plan& plan, const TriangleMesh& mesh, const Bvh& bvh,
              const KernelSource& source = kernel_source, Traversal traversal = Traversal::automatic);
 
-  /// Goes on with other samples of the same picture: spp camera samples a pixel in the whole render (at least 2 unless it was
-  /// planned with 1), from another seed.
+  /// Goes on with other samples of the same picture: spp camera samples a pixel in the whole render (at least
+  /// 2 unless it was planned with 1), from another seed.
   void set_samples(std::uint32_t spp, std::uint32_t seed) {
     plan_.spp = spp;
     plan_.seed = seed;
@@ -69,25 +72,28 @@ class PathTracer {
   /// Called after each launch with what it finished; false stops.
   using Progress = std::function<bool(std::span<const Finished>)>;
 
-  /// Adds the samples of `range` of each pixel to `films` (one per effect). `pixels` are y * width + x in the whole image and
-  /// must lie in the plan's window. Returns false if `progress` stopped it: what it was told of is in the films, and nothing else.
+  /// Adds the samples of `range` of each pixel to `films` (one per effect). `pixels` are y * width + x in the
+  /// whole image and must lie in the plan's window. Returns false if `progress` stopped it: what it was told
+  /// of is in the films, and nothing else.
   bool accumulate(std::span<const std::uint32_t> pixels, SampleRange range, std::span<Film> films,
                   const Progress& progress = nullptr);
 
   /// The surface under each pixel's centre.
   std::vector<SurfacePoint> surface_points(std::span<const std::uint32_t> pixels);
 
-  /// Estimates effect `effect` at given points, `directions` directions each; the row of a point is its random
-  /// numbers' key. Film of points.size() x 1 "pixels".
+  /// Estimates effect `effect` at given points, `directions` directions each; the row of a point is its
+  /// random numbers' key. Film of points.size() x 1 "pixels".
   Film estimate_points(std::span<const SurfacePoint> points, std::size_t effect, std::uint32_t directions,
                        const Progress& progress = nullptr);
   /// The same for every effect of the plan.
-  std::vector<Film> estimate_all(std::span<const SurfacePoint> points, std::uint32_t directions, const Progress& progress = nullptr);
+  std::vector<Film> estimate_all(std::span<const SurfacePoint> points, std::uint32_t directions,
+                                 const Progress& progress = nullptr);
 
   const RenderCounters& counters() const { return counters_; }
   double build_seconds() const { return build_seconds_; }
   bool all_from_cache() const { return all_from_cache_; }
-  /// Keeps the programs that were compiled in the disk cache; called when the work is done, for it takes time.
+  /// Keeps the programs that were compiled in the disk cache; called when the work is done, for it takes
+  /// time.
   void store_programs() {
     for (auto& [key, program] : programs_) program.store();
   }
@@ -109,8 +115,10 @@ class PathTracer {
   const Device& device_;
   Plan plan_;
   bool scalar_traversal_ = false;
-  ClBuffer nodes_, leaves_, positions_, triangles_, normals_, triangle_normals_, triangle_materials_, exponents_;
-  std::map<std::string, BuiltProgram> programs_;  // by file and options: effects with the same options share one
+  ClBuffer nodes_, leaves_, positions_, triangles_, normals_, triangle_normals_, triangle_materials_,
+      exponents_;
+  std::map<std::string, BuiltProgram>
+      programs_;  // by file and options: effects with the same options share one
   ClKernel primary_;
   std::vector<ClKernel> effects_;
   RenderCounters counters_;
@@ -118,8 +126,8 @@ class PathTracer {
   bool all_from_cache_ = true;
 };
 
-/// The window's pixels (y * width + x) in Morton order within 32x32 tiles: neighbours in the list are neighbours on the
-/// image, which keeps the tree's nodes in the caches.
+/// The window's pixels (y * width + x) in Morton order within 32x32 tiles: neighbours in the list are
+/// neighbours on the image, which keeps the tree's nodes in the caches.
 std::vector<std::uint32_t> pixels_in_order(const PixelRect& window, int width);
 
 }  // namespace nook

@@ -17,19 +17,21 @@ void add_plane(std::vector<Channel>& channels, const std::string& name, std::siz
   channels.push_back({name, std::move(values)});
 }
 
-void add_vector(std::vector<Channel>& channels, const std::string& layer, std::span<const SurfacePoint> surface, vec3 (*get)(const SurfacePoint&)) {
+void add_vector(std::vector<Channel>& channels, const std::string& layer,
+                std::span<const SurfacePoint> surface, vec3 (*get)(const SurfacePoint&)) {
   static constexpr const char* axes[] = {".X", ".Y", ".Z"};
   for (int axis = 0; axis < 3; ++axis)
-    add_plane(channels, layer + axes[axis], surface.size(), [&](std::size_t i) {
-      return surface[i].flags & SURFACE_HIT ? get(surface[i])[axis] : 0.0f;
-    });
+    add_plane(channels, layer + axes[axis], surface.size(),
+              [&](std::size_t i) { return surface[i].flags & SURFACE_HIT ? get(surface[i])[axis] : 0.0f; });
 }
 
 void add_bent(std::vector<Channel>& channels, const std::string& layer, const Film& film) {
   std::vector<BentCone> cones(film.pixels());
   for (std::size_t i = 0; i < cones.size(); ++i) cones[i] = bent_cone(film, i);
   static constexpr const char* axes[] = {"X", "Y", "Z"};
-  for (int axis = 0; axis < 3; ++axis) add_plane(channels, layer + axes[axis], cones.size(), [&](std::size_t i) { return cones[i].direction[axis]; });
+  for (int axis = 0; axis < 3; ++axis)
+    add_plane(channels, layer + axes[axis], cones.size(),
+              [&](std::size_t i) { return cones[i].direction[axis]; });
   add_plane(channels, layer + "cone", cones.size(), [&](std::size_t i) { return cones[i].half_angle; });
 }
 
@@ -38,12 +40,14 @@ void add_bent(std::vector<Channel>& channels, const std::string& layer, const Fi
 AovRequest parse_aovs(const std::vector<std::string>& names) {
   AovRequest request;
   static constexpr std::pair<std::string_view, bool AovRequest::*> known[] = {
-      {"normal", &AovRequest::normal},     {"position", &AovRequest::position}, {"depth", &AovRequest::depth},
-      {"variance", &AovRequest::variance}, {"samples", &AovRequest::samples},   {"alpha", &AovRequest::alpha}};
+      {"normal", &AovRequest::normal},   {"position", &AovRequest::position},
+      {"depth", &AovRequest::depth},     {"variance", &AovRequest::variance},
+      {"samples", &AovRequest::samples}, {"alpha", &AovRequest::alpha}};
   for (const std::string& name : names) {
     const auto member = value_of<bool AovRequest::*>(known, name);
     if (!member)
-      throw Error(ExitCode::usage, "--aov: unknown channel '" + name + "', known: normal, position, depth, variance, samples, alpha");
+      throw Error(ExitCode::usage, "--aov: unknown channel '" + name +
+                                       "', known: normal, position, depth, variance, samples, alpha");
     request.*(*member) = true;
   }
   return request;
@@ -55,16 +59,22 @@ std::vector<std::string> layer_names(const Plan& plan) {
   return names;
 }
 
-std::vector<Channel> surface_channels(const Plan& plan, const AovRequest& aovs, std::span<const SurfacePoint> surface) {
+std::vector<Channel> surface_channels(const Plan& plan, const AovRequest& aovs,
+                                      std::span<const SurfacePoint> surface) {
   std::vector<Channel> channels;
   const vec3 forward(plan.camera.forward[0], plan.camera.forward[1], plan.camera.forward[2]);
-  if (aovs.normal) add_vector(channels, "N", surface, [](const SurfacePoint& p) { return vec3(p.normal[0], p.normal[1], p.normal[2]); });
-  if (aovs.position) add_vector(channels, "P", surface, [](const SurfacePoint& p) { return vec3(p.origin[0], p.origin[1], p.origin[2]); });
+  if (aovs.normal)
+    add_vector(channels, "N", surface,
+               [](const SurfacePoint& p) { return vec3(p.normal[0], p.normal[1], p.normal[2]); });
+  if (aovs.position)
+    add_vector(channels, "P", surface,
+               [](const SurfacePoint& p) { return vec3(p.origin[0], p.origin[1], p.origin[2]); });
   if (aovs.depth)
     add_plane(channels, "Z", surface.size(), [&](std::size_t i) {
       const SurfacePoint& p = surface[i];
       const vec3 direction(-p.view[0], -p.view[1], -p.view[2]);
-      return p.flags & SURFACE_HIT ? p.distance * glm::dot(direction, forward) : std::numeric_limits<float>::infinity();
+      return p.flags & SURFACE_HIT ? p.distance * glm::dot(direction, forward)
+                                   : std::numeric_limits<float>::infinity();
     });
   return channels;
 }
@@ -84,14 +94,19 @@ Image make_picture(const FilmPart& part) {
       image.channels.push_back({layer + "AO", std::move(value)});
     else
       for (const char* channel : {"R", "G", "B"}) image.channels.push_back({layer + channel, value});
-    if (e == 0 && aovs.alpha) add_plane(image.channels, "A", film.pixels(), [&](std::size_t i) { return float(film.coverage(i)); });
+    if (e == 0 && aovs.alpha)
+      add_plane(image.channels, "A", film.pixels(), [&](std::size_t i) { return float(film.coverage(i)); });
     const std::string of_effect = layer.empty() ? "AO." : layer;
-    if (aovs.variance) add_plane(image.channels, of_effect + "variance", film.pixels(), [&](std::size_t i) { return float(film.variance(i)); });
+    if (aovs.variance)
+      add_plane(image.channels, of_effect + "variance", film.pixels(),
+                [&](std::size_t i) { return float(film.variance(i)); });
     if (aovs.samples)
-      add_plane(image.channels, of_effect + "samples", film.pixels(), [&](std::size_t i) { return film.replicates[i] * film.per_replicate; });
+      add_plane(image.channels, of_effect + "samples", film.pixels(),
+                [&](std::size_t i) { return film.replicates[i] * film.per_replicate; });
   }
   image.channels.insert(image.channels.end(), part.surface.begin(), part.surface.end());
-  // A main layer with a name of its own: its first three channels are an occlusion three times, or a direction.
+  // A main layer with a name of its own: its first three channels are an occlusion three times, or a
+  // direction.
   if (!image.find("R"))
     for (std::size_t i = 0; i < 3; ++i) {
       auto values = image.channels[i].values;

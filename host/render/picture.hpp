@@ -15,7 +15,8 @@ namespace nook {
 struct AovRequest {
   bool normal = false;    ///< N.X, N.Y, N.Z: shading normal at the pixel's centre, 0 where nothing is hit
   bool position = false;  ///< P.X, P.Y, P.Z: world units, at the pixel's centre, 0 where nothing is hit
-  bool depth = false;     ///< Z: distance along the view axis at the pixel's centre, infinity where nothing is hit
+  bool depth =
+      false;  ///< Z: distance along the view axis at the pixel's centre, infinity where nothing is hit
   bool variance = false;  ///< AO.variance: of the pixel's estimate
   bool samples = false;   ///< AO.samples: occlusion directions drawn
   bool alpha = false;     ///< A: share of camera rays that hit the mesh
@@ -25,14 +26,17 @@ struct AovRequest {
 /// "normal,position,depth,variance,samples,alpha" in any order. Throws Error(usage).
 AovRequest parse_aovs(const std::vector<std::string>& names);
 
-/// The prefix of each effect's channels: "" for the first (R, G, B), the effect's name or "ao2." for a further one.
+/// The prefix of each effect's channels: "" for the first (R, G, B), the effect's name or "ao2." for a
+/// further one.
 std::vector<std::string> layer_names(const Plan& plan);
 
-/// The channels of `aovs` that say what lies under the pixels' centres. `surface`: one point per pixel of the window, row-major.
-std::vector<Channel> surface_channels(const Plan& plan, const AovRequest& aovs, std::span<const SurfacePoint> surface);
+/// The channels of `aovs` that say what lies under the pixels' centres. `surface`: one point per pixel of the
+/// window, row-major.
+std::vector<Channel> surface_channels(const Plan& plan, const AovRequest& aovs,
+                                      std::span<const SurfacePoint> surface);
 
-/// The image of a part, whatever samples it has: R = G = B = the first effect's estimate, further effects in their layers, the AOVs
-/// that the part names.
+/// The image of a part, whatever samples it has: R = G = B = the first effect's estimate, further effects in
+/// their layers, the AOVs that the part names.
 Image make_picture(const FilmPart& part);
 
 }  // namespace nook

@@ -22,7 +22,8 @@ std::vector<std::uint32_t> pixels_in_order(const PixelRect& window, int width) {
     for (int left = window.x0; left < window.x1; left += tile)
       for (std::uint32_t code = 0; code < tile * tile; ++code) {
         const int x = left + int(compact(code)), y = top + int(compact(code >> 1));
-        if (x < window.x1 && y < window.y1) pixels.push_back(std::uint32_t(y) * std::uint32_t(width) + std::uint32_t(x));
+        if (x < window.x1 && y < window.y1)
+          pixels.push_back(std::uint32_t(y) * std::uint32_t(width) + std::uint32_t(x));
       }
   return pixels;
 }

@@ -38,12 +38,16 @@ Camera framing_camera(const Scene& scene, const Bounds3& bounds) {
   Camera camera;
   const double half_height = 0.96 * std::tan(camera.fov * std::numbers::pi / 360);
   const double half_width = half_height * scene.width / scene.height;
-  const dvec3 back = glm::normalize(dvec3(0.55, 0.4, 1.0)), right = glm::normalize(glm::cross(dvec3(0, 1, 0), back)), up = glm::cross(back, right);
+  const dvec3 back = glm::normalize(dvec3(0.55, 0.4, 1.0)),
+              right = glm::normalize(glm::cross(dvec3(0, 1, 0), back)), up = glm::cross(back, right);
   const dvec3 center(bounds.center());
   double distance = 1e-30;
   for (int corner = 0; corner < 8; ++corner) {
-    const dvec3 p = dvec3(corner & 1 ? bounds.hi.x : bounds.lo.x, corner & 2 ? bounds.hi.y : bounds.lo.y, corner & 4 ? bounds.hi.z : bounds.lo.z) - center;
-    distance = std::max({distance, glm::dot(p, back) + std::abs(glm::dot(p, right)) / half_width, glm::dot(p, back) + std::abs(glm::dot(p, up)) / half_height});
+    const dvec3 p = dvec3(corner & 1 ? bounds.hi.x : bounds.lo.x, corner & 2 ? bounds.hi.y : bounds.lo.y,
+                          corner & 4 ? bounds.hi.z : bounds.lo.z) -
+                    center;
+    distance = std::max({distance, glm::dot(p, back) + std::abs(glm::dot(p, right)) / half_width,
+                         glm::dot(p, back) + std::abs(glm::dot(p, up)) / half_height});
   }
   camera.at = vec3(center);
   camera.eye = vec3(center + distance * back);
@@ -57,18 +61,22 @@ bool any_lobe_of_material(const Scene& scene) {
 }
 
 const Effect& main_effect(const Scene& scene) {
-  const auto found = std::find_if(scene.effects.begin(), scene.effects.end(), [](const Effect& e) { return e.kind != EffectKind::ssao; });
+  const auto found = std::find_if(scene.effects.begin(), scene.effects.end(),
+                                  [](const Effect& e) { return e.kind != EffectKind::ssao; });
   return found == scene.effects.end() ? scene.effects.front() : *found;
 }
 
-// The effect's own name, else its type, numbered if that is taken; an unnamed main effect needs none (bent normals have channels beyond R, G, B).
+// The effect's own name, else its type, numbered if that is taken; an unnamed main effect needs none (bent
+// normals have channels beyond R, G, B).
 std::string layer_prefix(const Scene& scene, const Effect& effect, const std::vector<LayerPlan>& before) {
   if (!effect.name.empty()) return effect.name + ".";
   if (&effect == &main_effect(scene) && effect.kind != EffectKind::bent) return "";
   const std::string type(name_of(effect.kind));
   const auto taken = [&](const std::string& name) {
-    return std::any_of(scene.effects.begin(), scene.effects.end(), [&](const Effect& e) { return e.name == name; }) ||
-           std::any_of(before.begin(), before.end(), [&](const LayerPlan& l) { return l.prefix == name + "."; });
+    return std::any_of(scene.effects.begin(), scene.effects.end(),
+                       [&](const Effect& e) { return e.name == name; }) ||
+           std::any_of(before.begin(), before.end(),
+                       [&](const LayerPlan& l) { return l.prefix == name + "."; });
   };
   std::string name = type;
   for (int number = 2; taken(name); ++number) name = type + std::to_string(number);
@@ -79,19 +87,26 @@ std::vector<float> exponents_of(const Scene& scene, const TriangleMesh& mesh) {
   std::vector<float> exponents;
   for (const Material& material : mesh.materials) exponents.push_back(material.phong_exponent);
   if (std::none_of(exponents.begin(), exponents.end(), [](float n) { return n >= 0; }))
-    throw Error(ExitCode::scene, scene.file.string() + ": exponent = \"material\" needs a material with a lobe (Ns in the MTL file), and " +
-                                     scene.mesh_file.string() + " has none");
+    throw Error(ExitCode::scene,
+                scene.file.string() +
+                    ": exponent = \"material\" needs a material with a lobe (Ns in the MTL file), and " +
+                    scene.mesh_file.string() + " has none");
   return exponents;
 }
 
 // Settings that exclude one another, wherever they came from: scene file or command line.
 void check(const Scene& scene, const EffectPlan& planned) {
   const Effect& effect = planned.effect;
-  const auto reject = [&](const std::string& what) { throw Error(ExitCode::scene, scene.file.string() + ": " + what); };
+  const auto reject = [&](const std::string& what) {
+    throw Error(ExitCode::scene, scene.file.string() + ": " + what);
+  };
   if (effect.falloff != Falloff::none && !(planned.max_distance > 0 && std::isfinite(planned.max_distance)))
-    reject("falloff = \"" + std::string(name_of(effect.falloff)) + "\" needs a max_distance above 0, and a finite one");
-  if (effect.min_distance > 0 && !(effect.min_distance < planned.max_distance)) reject("min_distance must be below max_distance");
-  if (effect.cone_angle < 90 && effect.sampling == Sampling::sphere) reject("cone_angle needs sampling_type cosine or hemisphere");
+    reject("falloff = \"" + std::string(name_of(effect.falloff)) +
+           "\" needs a max_distance above 0, and a finite one");
+  if (effect.min_distance > 0 && !(effect.min_distance < planned.max_distance))
+    reject("min_distance must be below max_distance");
+  if (effect.cone_angle < 90 && effect.sampling == Sampling::sphere)
+    reject("cone_angle needs sampling_type cosine or hemisphere");
 }
 
 }  // namespace
@@ -103,7 +118,8 @@ Camera resolve_camera(const Scene& scene, const Bounds3& bounds) {
 MeshAttributes needed_attributes(const Scene& scene, bool surface) {
   MeshAttributes needs{.normals = surface};
   for (const Effect& effect : scene.effects)
-    needs.normals = needs.normals || (effect.kind != EffectKind::position && effect.kind != EffectKind::depth);
+    needs.normals =
+        needs.normals || (effect.kind != EffectKind::position && effect.kind != EffectKind::depth);
   needs.materials = any_lobe_of_material(scene);
   return needs;
 }
@@ -159,7 +175,8 @@ Plan make_plan(const Scene& scene, const TriangleMesh& mesh, bool surface) {
   if (any_lobe_of_material(scene)) plan.exponents = exponents_of(scene, mesh);
   plan.materials = !plan.exponents.empty();
   for (const Effect& effect : scene.effects) {
-    const LayerPlan layer{effect.kind, layer_prefix(scene, effect, plan.layers), &effect == &main_effect(scene)};
+    const LayerPlan layer{effect.kind, layer_prefix(scene, effect, plan.layers),
+                          &effect == &main_effect(scene)};
     if (is_surface(effect.kind)) {
       plan.surface = true;
     } else if (effect.kind == EffectKind::ssao) {
@@ -169,14 +186,16 @@ Plan make_plan(const Scene& scene, const TriangleMesh& mesh, bool surface) {
       planned.layer = layer.prefix;
       planned.effect = effect;
       planned.max_distance = resolve_distance(effect, mesh.subject_bounds(), scene.compat_tinyrender);
-      choose_scales(planned, effect.exponent_of_material ? *std::max_element(plan.exponents.begin(), plan.exponents.end())
-                                                         : effect.exponent);
+      choose_scales(planned, effect.exponent_of_material
+                                 ? *std::max_element(plan.exponents.begin(), plan.exponents.end())
+                                 : effect.exponent);
       check(scene, planned);
       plan.effects.push_back(planned);
     }
     plan.layers.push_back(layer);
   }
-  plan.vertex_normals = mesh.has_normals() && plan.needs_opencl() && needed_attributes(scene, surface).normals;
+  plan.vertex_normals =
+      mesh.has_normals() && plan.needs_opencl() && needed_attributes(scene, surface).normals;
   return plan;
 }
 

@@ -14,11 +14,11 @@ namespace nook {
 /// One effect as it will be computed.
 struct EffectPlan {
   Effect effect;
-  float max_distance = 0;         ///< resolved, world units; infinity if unlimited
-  double weight_bound = 1;        ///< no sample's weight exceeds it
-  float sum_scale = 1;            ///< of Film::sum
-  float square_scale = 1;         ///< of Film::sum_square
-  std::string layer;              ///< see LayerPlan::prefix
+  float max_distance = 0;   ///< resolved, world units; infinity if unlimited
+  double weight_bound = 1;  ///< no sample's weight exceeds it
+  float sum_scale = 1;      ///< of Film::sum
+  float square_scale = 1;   ///< of Film::sum_square
+  std::string layer;        ///< see LayerPlan::prefix
 
   /// Planes of Film::extra.
   std::size_t extra_planes() const { return effect.kind == EffectKind::bent ? 3 : 0; }
@@ -39,20 +39,21 @@ struct LayerPlan {
 /// Everything that follows from a scene and its mesh: scene -> plan -> kernels, buffers, launches.
 struct Plan {
   CameraParams camera{};
-  int width = 0, height = 0;         ///< the whole image, pixels
-  PixelRect window;                  ///< what is rendered of it
-  std::uint32_t spp = 1;             ///< camera rays a pixel
-  std::uint32_t directions = 1;      ///< occlusion rays per camera ray
-  bool replicate_directions = false; ///< see Film
+  int width = 0, height = 0;          ///< the whole image, pixels
+  PixelRect window;                   ///< what is rendered of it
+  std::uint32_t spp = 1;              ///< camera rays a pixel
+  std::uint32_t directions = 1;       ///< occlusion rays per camera ray
+  bool replicate_directions = false;  ///< see Film
   Sampler sampler = Sampler::sobol;
   std::uint32_t seed = 0;
-  bool vertex_normals = false;       ///< uploaded and interpolated
-  bool materials = false;            ///< each triangle's material is uploaded, and surface points know theirs
-  bool surface = false;              ///< the surface at the pixels' centres is read back: normal, position, depth
-  std::vector<EffectPlan> effects;   ///< the path-traced ones
-  std::vector<SsaoSettings> ssao;    ///< the screen-space ones
-  std::vector<LayerPlan> layers;     ///< all of them, as the picture holds them
-  std::vector<float> exponents;      ///< Phong exponent by material, negative without a lobe; empty unless an effect reads it
+  bool vertex_normals = false;  ///< uploaded and interpolated
+  bool materials = false;       ///< each triangle's material is uploaded, and surface points know theirs
+  bool surface = false;         ///< the surface at the pixels' centres is read back: normal, position, depth
+  std::vector<EffectPlan> effects;  ///< the path-traced ones
+  std::vector<SsaoSettings> ssao;   ///< the screen-space ones
+  std::vector<LayerPlan> layers;    ///< all of them, as the picture holds them
+  std::vector<float>
+      exponents;  ///< Phong exponent by material, negative without a lobe; empty unless an effect reads it
 
   bool needs_opencl() const { return surface || !effects.empty(); }
 
@@ -68,8 +69,8 @@ struct Plan {
 /// What of the mesh file the scene's effects read. `surface`: normals are asked for beside the effects.
 MeshAttributes needed_attributes(const Scene& scene, bool surface = false);
 
-/// The plan of a validated scene. `surface`: the surface at the pixels' centres is asked for beside the effects.
-/// Throws Error(scene) if the mesh cannot carry it out (a lobe by material without materials).
+/// The plan of a validated scene. `surface`: the surface at the pixels' centres is asked for beside the
+/// effects. Throws Error(scene) if the mesh cannot carry it out (a lobe by material without materials).
 Plan make_plan(const Scene& scene, const TriangleMesh& mesh, bool surface = false);
 
 /// The camera of a scene: its own, or the automatic one, which frames `bounds`.
@@ -78,12 +79,12 @@ Camera resolve_camera(const Scene& scene, const Bounds3& bounds);
 /// The camera as the kernels use it. `scene` must be validated; the automatic camera frames `bounds`.
 CameraParams camera_params(const Scene& scene, const Bounds3& bounds);
 
-/// The distance limit in world units: half the radius of the bounding sphere for AO by default (TinyRender's rule, read
-/// literally), 1.5 with compat = "tinyrender", infinity for RO.
+/// The distance limit in world units: half the radius of the bounding sphere for AO by default (TinyRender's
+/// rule, read literally), 1.5 with compat = "tinyrender", infinity for RO.
 float resolve_distance(const Effect& effect, const Bounds3& bounds, bool compat_tinyrender);
 
-/// Fixed-point scales for weights up to `weight_bound`: 2^28 samples of the largest weight fit 64 bits. RO: the largest
-/// exponent that any surface has bounds the weight.
+/// Fixed-point scales for weights up to `weight_bound`: 2^28 samples of the largest weight fit 64 bits. RO:
+/// the largest exponent that any surface has bounds the weight.
 void choose_scales(EffectPlan& effect, float largest_exponent);
 
 }  // namespace nook

@@ -16,18 +16,24 @@ std::uint64_t bytes_of(const std::vector<T>& values) {
 }
 
 void add_passes(const Plan& plan, const TriangleMesh& mesh, PlanReport& report) {
-  if (plan.needs_opencl()) report.passes.push_back({"tree", fmt::format("over {} triangles", mesh.triangles.size()), 0});
+  if (plan.needs_opencl())
+    report.passes.push_back({"tree", fmt::format("over {} triangles", mesh.triangles.size()), 0});
   const std::uint64_t pixels = std::uint64_t(plan.window.width()) * std::uint64_t(plan.window.height());
   if (!plan.effects.empty())
-    report.passes.push_back({"primary", fmt::format("camera rays to surface points, for {}", plan.effects.size() == 1
-                                                                                               ? "one effect"
-                                                                                               : fmt::format("{} effects together", plan.effects.size())),
-                             pixels * plan.spp});
+    report.passes.push_back(
+        {"primary",
+         fmt::format("camera rays to surface points, for {}",
+                     plan.effects.size() == 1 ? "one effect"
+                                              : fmt::format("{} effects together", plan.effects.size())),
+         pixels * plan.spp});
   for (const EffectPlan& effect : plan.effects)
-    report.passes.push_back({"occlusion", fmt::format("{} into {}", name_of(effect.effect.kind), effect.layer.empty() ? "R,G,B" : effect.layer + "*"),
+    report.passes.push_back({"occlusion",
+                             fmt::format("{} into {}", name_of(effect.effect.kind),
+                                         effect.layer.empty() ? "R,G,B" : effect.layer + "*"),
                              pixels * plan.spp * plan.directions});
   if (plan.surface) report.passes.push_back({"surface", "the surface at the pixels' centres", pixels});
-  for (std::size_t i = 0; i < plan.ssao.size(); ++i) report.passes.push_back({"ssao", std::string(name_of(plan.ssao[i].method)), 0});
+  for (std::size_t i = 0; i < plan.ssao.size(); ++i)
+    report.passes.push_back({"ssao", std::string(name_of(plan.ssao[i].method)), 0});
 }
 
 void add_kernels(const Plan& plan, PlanReport& report) {
@@ -52,7 +58,8 @@ void add_buffers(const Plan& plan, const TriangleMesh& mesh, const Bvh& bvh, Pla
     report.buffers.push_back({"triangle normals", bytes_of(mesh.triangle_normals)});
   }
   if (plan.surface)
-    report.buffers.push_back({"surface tasks", std::uint64_t(plan.window.width()) * std::uint64_t(plan.window.height()) * sizeof(Task)});
+    report.buffers.push_back({"surface tasks", std::uint64_t(plan.window.width()) *
+                                                   std::uint64_t(plan.window.height()) * sizeof(Task)});
   if (plan.materials) {
     report.buffers.push_back({"triangle materials", bytes_of(mesh.triangle_material)});
     report.buffers.push_back({"exponents", bytes_of(plan.exponents)});
@@ -68,7 +75,8 @@ void add_left_out_rays(const Plan& plan, const TriangleMesh& mesh, PlanReport& r
   });
   if (below) out("no ray for a direction under the horizon of the shading normal");
   for (std::size_t m = 0; m < plan.exponents.size(); ++m)
-    if (plan.exponents[m] < 0) out(fmt::format("no RO rays for material {}: no lobe", mesh.materials[m].name));
+    if (plan.exponents[m] < 0)
+      out(fmt::format("no RO rays for material {}: no lobe", mesh.materials[m].name));
 }
 
 void add_left_out(const Scene& scene, const Plan& plan, const TriangleMesh& mesh, PlanReport& report) {

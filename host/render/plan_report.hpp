@@ -25,10 +25,10 @@ struct BufferReport {
 /// What a plan will do and what it leaves out, in words: `nook plan`.
 struct PlanReport {
   std::vector<PassReport> passes;
-  std::vector<KernelPlan> kernels;    ///< each program once
-  std::vector<BufferReport> buffers;  ///< for OpenCL; their sum is what a run's record counts on upload
-  std::vector<std::string> libraries; ///< loaded when needed, by their task
-  std::vector<std::string> left_out;  ///< "no tree: ..."
+  std::vector<KernelPlan> kernels;     ///< each program once
+  std::vector<BufferReport> buffers;   ///< for OpenCL; their sum is what a run's record counts on upload
+  std::vector<std::string> libraries;  ///< loaded when needed, by their task
+  std::vector<std::string> left_out;   ///< "no tree: ..."
 };
 
 /// `mesh` as loaded with needed_attributes(scene). `bvh`: of the mesh, or null if the plan needs none.

@@ -47,10 +47,13 @@ void store(float (&out)[3], const vec3& v) {
 
 }  // namespace
 
-SurfacePoint surface_point(const vec3& position, const vec3& normal, const vec3& view, const Bounds3& bounds) {
+SurfacePoint surface_point(const vec3& position, const vec3& normal, const vec3& view,
+                           const Bounds3& bounds) {
   constexpr double half_ulp = 0x1p-24;
   constexpr double gamma7 = 7 * half_ulp / (1 - 7 * half_ulp);
-  const auto largest = [](const vec3& v) { return double(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)})); };
+  const auto largest = [](const vec3& v) {
+    return double(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
+  };
   double reach = largest(position);
   if (!bounds.empty()) reach = std::max({reach, largest(bounds.lo), largest(bounds.hi)});
   SurfacePoint point{};
@@ -64,11 +67,14 @@ SurfacePoint surface_point(const vec3& position, const vec3& normal, const vec3&
   return point;
 }
 
-std::vector<SurfacePoint> load_points(const std::filesystem::path& path, bool needs_view, const Bounds3& bounds) {
+std::vector<SurfacePoint> load_points(const std::filesystem::path& path, bool needs_view,
+                                      const Bounds3& bounds) {
   const std::string file = path.string();
   std::error_code code;
-  if (!std::filesystem::exists(path, code)) throw Error(ExitCode::scene, fmt::format("{}: no such file", file));
-  if (!std::filesystem::is_regular_file(path, code)) throw Error(ExitCode::scene, fmt::format("{}: not a regular file", file));
+  if (!std::filesystem::exists(path, code))
+    throw Error(ExitCode::scene, fmt::format("{}: no such file", file));
+  if (!std::filesystem::is_regular_file(path, code))
+    throw Error(ExitCode::scene, fmt::format("{}: not a regular file", file));
   std::ifstream in(path);
   if (!in) throw Error(ExitCode::scene, fmt::format("{}: cannot be read", file));
   std::vector<SurfacePoint> points;
@@ -81,13 +87,18 @@ std::vector<SurfacePoint> load_points(const std::filesystem::path& path, bool ne
     const bool header = first && n.empty();
     first = false;
     if (header) continue;
-    auto fail = [&](const std::string& what) { throw Error(ExitCode::scene, fmt::format("{}:{}: {}", file, row, what)); };
+    auto fail = [&](const std::string& what) {
+      throw Error(ExitCode::scene, fmt::format("{}:{}: {}", file, row, what));
+    };
     if (!wrong.empty()) fail(fmt::format("'{}' is not a finite number", wrong));
-    if (n.size() != 6 && n.size() != 9) fail(fmt::format("{} columns, expected px,py,pz,nx,ny,nz or px,py,pz,nx,ny,nz,vx,vy,vz", n.size()));
+    if (n.size() != 6 && n.size() != 9)
+      fail(fmt::format("{} columns, expected px,py,pz,nx,ny,nz or px,py,pz,nx,ny,nz,vx,vy,vz", n.size()));
     const vec3 normal = unit(&n[3]);
     const vec3 view = n.size() == 9 ? unit(&n[6]) : vec3(0);
     if (normal == vec3(0)) fail("the normal is zero");
-    if (needs_view && view == vec3(0)) fail(n.size() == 9 ? "the view direction is zero" : "RO needs the view direction: px,py,pz,nx,ny,nz,vx,vy,vz");
+    if (needs_view && view == vec3(0))
+      fail(n.size() == 9 ? "the view direction is zero"
+                         : "RO needs the view direction: px,py,pz,nx,ny,nz,vx,vy,vz");
     points.push_back(surface_point(vec3(float(n[0]), float(n[1]), float(n[2])), normal, view, bounds));
   }
   return points;

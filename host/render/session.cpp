@@ -32,10 +32,12 @@ std::vector<std::uint32_t> positions_of(const SampleBoxes& boxes) {
 
 }  // namespace
 
-FilmPart::Texts film_identity(const Plan& plan, const DeviceInfo& device, const std::string& scene_hash, const std::string& mesh_hash,
-                              const FilmPart::Texts& extra) {
+FilmPart::Texts film_identity(const Plan& plan, const DeviceInfo& device, const std::string& scene_hash,
+                              const std::string& mesh_hash, const FilmPart::Texts& extra) {
   FilmPart::Texts identity;
-  const auto add = [&](const std::string& name, auto value) { identity.emplace_back(name, fmt::format("{}", value)); };
+  const auto add = [&](const std::string& name, auto value) {
+    identity.emplace_back(name, fmt::format("{}", value));
+  };
   add("version", version);
   add("build", build_description);
   add("size", fmt::format("{}x{}", plan.width, plan.height));
@@ -68,12 +70,15 @@ Session::Session(PathTracer& tracer, const Plan& plan, FilmPart::Texts identity)
 
 void Session::resume(FilmPart part, const std::string& file) {
   part.layers = part_.layers;  // the caller's to name
-  if (const std::string why = difference(part, file, part_, "this render"); !why.empty()) throw Error(ExitCode::scene, why);
+  if (const std::string why = difference(part, file, part_, "this render"); !why.empty())
+    throw Error(ExitCode::scene, why);
   std::vector<std::uint32_t> expected(order_.size());
   for (const SampleBox& box : part.held)
-    for (std::uint32_t p = box.pixel_begin; p < box.pixel_end; ++p) expected[film_index(p)] += box.end - box.first;
+    for (std::uint32_t p = box.pixel_begin; p < box.pixel_end; ++p)
+      expected[film_index(p)] += box.end - box.first;
   for (const Film& film : part.films)
-    if (film.replicates != expected) throw Error(ExitCode::scene, fmt::format("{}: damaged: its sums and its sample ranges disagree", file));
+    if (film.replicates != expected)
+      throw Error(ExitCode::scene, fmt::format("{}: damaged: its sums and its sample ranges disagree", file));
   held_ = Coverage(part.held);
   samples_held_ = samples_in(held_.boxes());
   part_ = std::move(part);
@@ -103,14 +108,16 @@ bool Session::work(const SampleBoxes& open, const GoOn& go_on) {
 bool Session::work(const SampleBoxes& boxes, SampleRange range, const GoOn& go_on) {
   const std::vector<std::uint32_t> positions = positions_of(boxes);
   std::vector<std::uint32_t> pixels(positions.size());
-  std::transform(positions.begin(), positions.end(), pixels.begin(), [&](std::uint32_t p) { return order_[p]; });
+  std::transform(positions.begin(), positions.end(), pixels.begin(),
+                 [&](std::uint32_t p) { return order_[p]; });
   RenderCounters before = tracer_.counters();
   auto last = std::chrono::steady_clock::now();
   return tracer_.accumulate(pixels, range, part_.films, [&](std::span<const Finished> finished) {
     for (const Finished& f : finished)
       for (std::size_t begin = f.begin, end; begin < f.end; begin = end) {
         for (end = begin + 1; end < f.end && positions[end] == positions[end - 1] + 1;) ++end;
-        const SampleBox box{positions[begin], positions[end - 1] + 1, f.range.first, f.range.first + f.range.count};
+        const SampleBox box{positions[begin], positions[end - 1] + 1, f.range.first,
+                            f.range.first + f.range.count};
         held_.add(box);
         samples_held_ += box.samples();
       }
@@ -127,11 +134,15 @@ bool Session::work(const SampleBoxes& boxes, SampleRange range, const GoOn& go_o
 }
 
 SampleBox Session::share(const Share& share) const {
-  const auto begin_of = [&](std::uint64_t total, std::uint64_t i) { return std::uint32_t(total * i / share.count); };
+  const auto begin_of = [&](std::uint64_t total, std::uint64_t i) {
+    return std::uint32_t(total * i / share.count);
+  };
   SampleBox box = part_.whole();
   if (box.end >= share.count)
-    return {box.pixel_begin, box.pixel_end, begin_of(box.end, share.index), begin_of(box.end, share.index + 1ull)};
-  return {begin_of(box.pixel_end, share.index), begin_of(box.pixel_end, share.index + 1ull), box.first, box.end};
+    return {box.pixel_begin, box.pixel_end, begin_of(box.end, share.index),
+            begin_of(box.end, share.index + 1ull)};
+  return {begin_of(box.pixel_end, share.index), begin_of(box.pixel_end, share.index + 1ull), box.first,
+          box.end};
 }
 
 FilmPart& Session::part() {

@@ -9,28 +9,29 @@
 
 namespace nook {
 
-/// The index-th of count equal parts of a picture (from 0): of the range of sample indices, or, where a pixel has fewer samples
-/// than there are parts, of the pixels.
+/// The index-th of count equal parts of a picture (from 0): of the range of sample indices, or, where a pixel
+/// has fewer samples than there are parts, of the pixels.
 struct Share {
   std::uint32_t index = 0, count = 1;
 };
 
-/// Everything that decides a film's bits, in words: what parts must agree in to be joined, or resumed. `extra`: what else
-/// decides (a stop rule's parameters).
-FilmPart::Texts film_identity(const Plan& plan, const DeviceInfo& device, const std::string& scene_hash, const std::string& mesh_hash,
-                              const FilmPart::Texts& extra = {});
+/// Everything that decides a film's bits, in words: what parts must agree in to be joined, or resumed.
+/// `extra`: what else decides (a stop rule's parameters).
+FilmPart::Texts film_identity(const Plan& plan, const DeviceInfo& device, const std::string& scene_hash,
+                              const std::string& mesh_hash, const FilmPart::Texts& extra = {});
 
-/// A render under way: films, which samples of which pixels they hold, and what comes next. Samples are numbered as in
-/// SampleRange, pixels by their position in order().
+/// A render under way: films, which samples of which pixels they hold, and what comes next. Samples are
+/// numbered as in SampleRange, pixels by their position in order().
 ///
 ///     Session session(tracer, plan, identity);
 ///     if (resuming) session.resume(read_film_part(file), file);
 ///     while (!session.run(all_of(session.share({0, 1})), go_on)) ...
 class Session {
  public:
-  /// What to do next, given what there is: the boxes of one step (samples that are held already do not count), none of them new: the
-  /// render is finished. It is asked when a step is complete. A resumed render goes on with the step under way and makes the same
-  /// decisions as one that was never stopped if a schedule depends on nothing but films(), held() and constants.
+  /// What to do next, given what there is: the boxes of one step (samples that are held already do not
+  /// count), none of them new: the render is finished. It is asked when a step is complete. A resumed render
+  /// goes on with the step under way and makes the same decisions as one that was never stopped if a schedule
+  /// depends on nothing but films(), held() and constants.
   using Schedule = std::function<SampleBoxes(const Session&)>;
   /// Called after each launch, when films() and held() agree; false stops.
   using GoOn = std::function<bool()>;
@@ -38,11 +39,12 @@ class Session {
   /// `tracer` must outlive it.
   Session(PathTracer& tracer, const Plan& plan, FilmPart::Texts identity);
 
-  /// Continues `part`. Throws Error(scene) naming `file` if it is of another picture, or its sums and its sample ranges disagree.
+  /// Continues `part`. Throws Error(scene) naming `file` if it is of another picture, or its sums and its
+  /// sample ranges disagree.
   void resume(FilmPart part, const std::string& file);
 
-  /// Works until the schedule has nothing new (true) or `go_on` stops it (false). Throws Error(device); films() and held() agree
-  /// then too.
+  /// Works until the schedule has nothing new (true) or `go_on` stops it (false). Throws Error(device);
+  /// films() and held() agree then too.
   bool run(const Schedule& schedule, const GoOn& go_on);
 
   const std::vector<Film>& films() const { return part_.films; }
@@ -55,7 +57,8 @@ class Session {
   std::size_t film_index(std::uint32_t position) const { return plan_.film_index(order_[position]); }
   /// All samples of a share of the picture.
   SampleBox share(const Share& share) const;
-  /// The state to write to a file, or to make the picture of; layers, aovs, metadata and surface are the caller's to fill in.
+  /// The state to write to a file, or to make the picture of; layers, aovs, metadata and surface are the
+  /// caller's to fill in.
   FilmPart& part();
 
  private:

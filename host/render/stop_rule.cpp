@@ -7,7 +7,9 @@
 namespace nook {
 namespace {
 
-double log_choose(double n, double k) { return std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1); }
+double log_choose(double n, double k) {
+  return std::lgamma(n + 1) - std::lgamma(k + 1) - std::lgamma(n - k + 1);
+}
 
 // P(i of the first m among n samples are hits | k of the n are).
 double hypergeometric(double i, double n, double k, double m) {
@@ -18,7 +20,8 @@ double hypergeometric(double i, double n, double k, double m) {
 }  // namespace
 
 double normal_quantile(double confidence) {
-  // Newton on erfc, whose derivative is known; it starts at 0, where the function is steepest, and so never overshoots.
+  // Newton on erfc, whose derivative is known; it starts at 0, where the function is steepest, and so never
+  // overshoots.
   const double tail = 1 - confidence;
   double z = 0;
   for (int step = 0; step < 200; ++step) {
@@ -42,7 +45,9 @@ Interval score_interval(const SampleSums& sums, double bound, double z) {
 
 double samples_needed(double mean, double mean_square, double bound, double error, double z) {
   double low = 0, high = 1;
-  const auto narrow = [&](double n) { return score_interval({mean * n, mean_square * n, n}, bound, z).half_width() <= z * error; };
+  const auto narrow = [&](double n) {
+    return score_interval({mean * n, mean_square * n, n}, bound, z).half_width() <= z * error;
+  };
   while (!narrow(high) && high < 1e18) high *= 2;
   for (int step = 0; step < 60; ++step) {
     const double middle = 0.5 * (low + high);
@@ -59,7 +64,8 @@ std::vector<std::uint32_t> checkpoints(std::uint32_t first, std::uint32_t last) 
   return stages;
 }
 
-CountRule::CountRule(const ErrorTarget& target) : target_(target), z_(target.z()), stages_(checkpoints(target.min_spp, target.max_spp)) {
+CountRule::CountRule(const ErrorTarget& target)
+    : target_(target), z_(target.z()), stages_(checkpoints(target.min_spp, target.max_spp)) {
   for (std::size_t j = 0; j < stages_.size(); ++j) {
     const std::uint32_t n = stages_[j];
     GoingOn next;
@@ -77,7 +83,9 @@ CountRule::CountRule(const ErrorTarget& target) : target_(target), z_(target.z()
   }
 }
 
-bool CountRule::done(std::uint32_t n, std::uint32_t k) const { return interval(n, k).half_width() <= z_ * target_.error; }
+bool CountRule::done(std::uint32_t n, std::uint32_t k) const {
+  return interval(n, k).half_width() <= z_ * target_.error;
+}
 
 Interval CountRule::interval(std::uint32_t n, std::uint32_t k) const {
   return score_interval({double(k), double(k), double(n)}, 1, z_);
@@ -86,10 +94,11 @@ Interval CountRule::interval(std::uint32_t n, std::uint32_t k) const {
 CountRule::Paths CountRule::extend(std::size_t from, std::uint32_t n, std::uint32_t k) const {
   const GoingOn& before = going_on_[from];
   const double m = stages_[from];
-  // The hits among the first m of n: mean and deviation of the hypergeometric distribution; the terms beyond 9
-  // deviations add less than rounding does.
+  // The hits among the first m of n: mean and deviation of the hypergeometric distribution; the terms beyond
+  // 9 deviations add less than rounding does.
   const double mean = k * (m / n);
-  const double deviation = std::sqrt(std::max(0.0, mean * (1 - double(k) / n) * (n - m) / std::max(1.0, n - 1.0)));
+  const double deviation =
+      std::sqrt(std::max(0.0, mean * (1 - double(k) / n) * (n - m) / std::max(1.0, n - 1.0)));
   const double reach = 9 * deviation + 3;
   const double end = double(before.first_k) + double(before.paths.size()) - 1;
   const auto low = std::max({double(before.first_k), std::ceil(mean - reach), double(k) - (double(n) - m)});

@@ -25,7 +25,8 @@ std::vector<vec3> position_normals(const TriangleMesh& mesh) {
       const dvec3 a = unit_or_zero(p[(k + 1) % 3] - p[k]), b = unit_or_zero(p[(k + 2) % 3] - p[k]);
       const double angle = std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0));
       dvec3 normal = face;
-      if (mesh.has_normals() && mesh.triangle_normals[t][k] != TriangleMesh::no_normal) normal = dvec3(mesh.normals[mesh.triangle_normals[t][k]]);
+      if (mesh.has_normals() && mesh.triangle_normals[t][k] != TriangleMesh::no_normal)
+        normal = dvec3(mesh.normals[mesh.triangle_normals[t][k]]);
       const std::uint32_t position = mesh.triangles[t][k];
       sums[position] += angle * normal;
       if (first[position] == dvec3(0)) first[position] = normal;
@@ -33,7 +34,8 @@ std::vector<vec3> position_normals(const TriangleMesh& mesh) {
   }
   // The normals of a sheet seen from both sides cancel; then the first one holds.
   std::vector<vec3> normals(sums.size());
-  for (std::size_t i = 0; i < sums.size(); ++i) normals[i] = vec3(unit_or_zero(glm::length(sums[i]) > 1e-6 ? sums[i] : first[i]));
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    normals[i] = vec3(unit_or_zero(glm::length(sums[i]) > 1e-6 ? sums[i] : first[i]));
   return normals;
 }
 

@@ -7,11 +7,13 @@
 
 namespace nook {
 
-/// The normal of each position: the mean of its corners' normals, each weighted by the corner's angle (Thürmer and Wüthrich 1998); a
-/// corner without a vertex normal counts with its triangle's. Unit length; 0 for a position that no triangle uses.
+/// The normal of each position: the mean of its corners' normals, each weighted by the corner's angle
+/// (Thürmer and Wüthrich 1998); a corner without a vertex normal counts with its triangle's. Unit length; 0
+/// for a position that no triangle uses.
 std::vector<vec3> position_normals(const TriangleMesh& mesh);
 
-/// A surface point for each position of the mesh, in order, for PathTracer::estimate_points; one that no triangle uses is no hit.
+/// A surface point for each position of the mesh, in order, for PathTracer::estimate_points; one that no
+/// triangle uses is no hit.
 std::vector<SurfacePoint> vertex_points(const TriangleMesh& mesh, const std::vector<vec3>& normals);
 
 }  // namespace nook

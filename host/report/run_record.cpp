@@ -12,10 +12,13 @@
 namespace nook {
 namespace {
 
-std::string distance_text(float distance) { return std::isinf(distance) ? "none" : fmt::format("{}", distance); }
+std::string distance_text(float distance) {
+  return std::isinf(distance) ? "none" : fmt::format("{}", distance);
+}
 
 nlohmann::json effect_json(const EffectPlan& effect) {
-  nlohmann::json json = {{"type", name_of(effect.effect.kind)}, {"sampling", name_of(effect.effect.sampling)}};
+  nlohmann::json json = {{"type", name_of(effect.effect.kind)},
+                         {"sampling", name_of(effect.effect.sampling)}};
   if (std::isinf(effect.max_distance))
     json["max_distance"] = "none";
   else
@@ -27,14 +30,16 @@ nlohmann::json effect_json(const EffectPlan& effect) {
   return json;
 }
 
-void add_ssao_metadata(std::map<std::string, std::string>& m, const std::string& prefix, const SsaoRecord& record) {
+void add_ssao_metadata(std::map<std::string, std::string>& m, const std::string& prefix,
+                       const SsaoRecord& record) {
   const SsaoPlan& plan = record.plan;
   m[prefix + "effect"] = "ssao";
   m[prefix + "method"] = name_of(plan.method);
   m[prefix + "quality"] = record.settings.quality ? name_of(*record.settings.quality) : "none";
   m[prefix + "radius"] = fmt::format("{}", plan.radius);
   m[prefix + "bias"] = fmt::format("{}", plan.bias);
-  m[prefix + (plan.method == SsaoSettings::Method::gtao ? "slices" : "ssao_directions")] = std::to_string(plan.directions);
+  m[prefix + (plan.method == SsaoSettings::Method::gtao ? "slices" : "ssao_directions")] =
+      std::to_string(plan.directions);
   m[prefix + "steps"] = std::to_string(plan.steps);
   m[prefix + "depth_layers"] = std::to_string(plan.layers);
   m[prefix + "seconds_per_frame"] = fmt::format("{:.4f}", record.seconds_per_frame);
@@ -71,7 +76,8 @@ std::map<std::string, std::string> RunRecord::metadata() const {
     m[prefix + "sampling"] = name_of(effect.effect.sampling);
     m[prefix + "max_distance"] = distance_text(effect.max_distance);
     if (effect.effect.kind == EffectKind::ro)
-      m[prefix + "exponent"] = effect.effect.exponent_of_material ? "material" : fmt::format("{}", effect.effect.exponent);
+      m[prefix + "exponent"] =
+          effect.effect.exponent_of_material ? "material" : fmt::format("{}", effect.effect.exponent);
   }
   for (std::size_t e = 0; e < ssao.size(); ++e) {
     const std::size_t index = plan.effects.size() + e;
@@ -110,7 +116,8 @@ void write_stats(const std::filesystem::path& path, const RunRecord& r) {
       {"directions", r.plan.directions},
       {"sampler", name_of(r.plan.sampler)},
       {"seed", r.plan.seed},
-      {"device", {{"name", r.device.name}, {"platform", r.device.platform_name}, {"driver", r.device.driver}}},
+      {"device",
+       {{"name", r.device.name}, {"platform", r.device.platform_name}, {"driver", r.device.driver}}},
       {"triangles", r.triangles},
       {"bytes_uploaded", r.bytes_uploaded},
       {"kernels_built", r.kernels_built},

@@ -31,9 +31,9 @@ struct SsaoRecord {
 
 /// What a stop rule was asked for, and what it reached: standard errors of pixels.
 struct ErrorRecord {
-  double asked = 0;       ///< 0: no error was asked for, only a time
+  double asked = 0;  ///< 0: no error was asked for, only a time
   double confidence = 0;
-  double reached = 0;     ///< root mean square over the pixels that see the mesh
+  double reached = 0;  ///< root mean square over the pixels that see the mesh
   double worst = 0;
   double share_done = 0;  ///< of the pixels
 };
@@ -52,8 +52,8 @@ struct RunRecord {
   std::uint64_t triangles = 0;
   std::uint64_t bytes_uploaded = 0;
   std::vector<std::uint64_t> effect_rays;  ///< occlusion rays by effect, of this process
-  std::uint64_t kernels_built = 0;      ///< programs, from the cache or not
-  std::vector<std::string> libraries;   ///< of OpenCL, OpenGL and LLVM, mapped at the end
+  std::uint64_t kernels_built = 0;         ///< programs, from the cache or not
+  std::vector<std::string> libraries;      ///< of OpenCL, OpenGL and LLVM, mapped at the end
   bool kernels_from_cache = false;
   bool complete = true;
   std::optional<ErrorRecord> error;

@@ -26,7 +26,8 @@ std::vector<double> of_runs(const StudyPoint& point, Get get) {
 // The camera samples that a level is about, for sorting and for the number of runs.
 double effort(const StudyMethod& method, double level) {
   if (method.family == StudyMethod::Family::adaptive) return std::max(16.0, 0.15 / (level * level));
-  return method.family == StudyMethod::Family::ssao ? 0.1 * level : level * std::sqrt(double(method.directions));
+  return method.family == StudyMethod::Family::ssao ? 0.1 * level
+                                                    : level * std::sqrt(double(method.directions));
 }
 
 }  // namespace
@@ -51,7 +52,8 @@ PointSummary summarise(const StudyPoint& point) {
 
 Study::Study(std::vector<StudyMethod> methods, StudyReference reference, const Settings& settings)
     : methods_(std::move(methods)), reference_(std::move(reference)), settings_(settings) {
-  for (const float v : reference_.variance) reference_variance_ += double(v) / double(reference_.variance.size());
+  for (const float v : reference_.variance)
+    reference_variance_ += double(v) / double(reference_.variance.size());
   for (std::size_t m = 0; m < methods_.size(); ++m)
     for (const double level : methods_[m].levels) {
       points_.push_back({methods_[m].name, level, runs_wanted(methods_[m], level), {}, 0, 0});
@@ -98,7 +100,8 @@ void Study::measure(std::size_t p) {
     sum += error;
     square += error * error;
     slot.error_sum[i] += error;
-    if (picture.variance.empty() || reference_.image[i] == 0) continue;  // the background says nothing about intervals
+    if (picture.variance.empty() || reference_.image[i] == 0)
+      continue;  // the background says nothing about intervals
     seen += 1;
     claimed += double(picture.variance[i]);
     covered += error * error <= z95 * z95 * (double(picture.variance[i]) + own);
@@ -128,7 +131,8 @@ double Study::expected_seconds(std::size_t p) const {
   const StudyMethod& method = methods_[slots_[p].method];
   for (std::size_t q = p; q-- > 0 && slots_[q].method == slots_[p].method;)
     if (!points_[q].runs.empty())
-      return points_[q].runs.back().wall_seconds * effort(method, points_[p].level) / effort(method, points_[q].level);
+      return points_[q].runs.back().wall_seconds * effort(method, points_[p].level) /
+             effort(method, points_[q].level);
   return 0;
 }
 
@@ -138,7 +142,8 @@ bool Study::run(const std::function<bool(const Study&)>& go_on) {
   std::vector<std::size_t> order(points_.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return effort(methods_[slots_[a].method], points_[a].level) < effort(methods_[slots_[b].method], points_[b].level);
+    return effort(methods_[slots_[a].method], points_[a].level) <
+           effort(methods_[slots_[b].method], points_[b].level);
   });
   for (std::uint32_t round = 0;; ++round) {
     bool more = false;

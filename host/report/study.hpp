@@ -11,24 +11,24 @@ namespace nook {
 
 /// One picture and what it cost.
 struct StudyPicture {
-  std::vector<float> image;             ///< row-major
-  std::vector<float> variance;          ///< of each pixel, as the renderer claims it; may be empty
-  std::vector<std::uint32_t> samples;   ///< of each pixel, if they differ; else empty
+  std::vector<float> image;            ///< row-major
+  std::vector<float> variance;         ///< of each pixel, as the renderer claims it; may be empty
+  std::vector<std::uint32_t> samples;  ///< of each pixel, if they differ; else empty
   double wall_seconds = 0;
-  double device_seconds = 0;            ///< in kernels; 0 where that is not known
+  double device_seconds = 0;  ///< in kernels; 0 where that is not known
   std::uint64_t rays = 0;
 };
 
 /// One way to make the picture, at several levels of effort.
 struct StudyMethod {
   enum class Family { fixed, adaptive, ssao };
-  std::string name;                ///< unique in the study
+  std::string name;  ///< unique in the study
   Family family = Family::fixed;
-  std::string sampling, sampler;   ///< may be empty
-  std::uint32_t directions = 1;    ///< occlusion rays a camera ray
-  std::vector<double> levels;      ///< fixed: spp; adaptive: error asked; ssao: samples. In the order of cost
-  bool random = true;              ///< otherwise runs differ in time alone
-  double predicted_variance = 0;   ///< of one sample, the mean over pixels, by formula; 0: there is none
+  std::string sampling, sampler;  ///< may be empty
+  std::uint32_t directions = 1;   ///< occlusion rays a camera ray
+  std::vector<double> levels;     ///< fixed: spp; adaptive: error asked; ssao: samples. In the order of cost
+  bool random = true;             ///< otherwise runs differ in time alone
+  double predicted_variance = 0;  ///< of one sample, the mean over pixels, by formula; 0: there is none
   std::function<StudyPicture(double level, std::uint32_t seed)> render;
 };
 
@@ -46,8 +46,8 @@ struct StudyRun {
   double rays = 0;
   double mean_square_error = 0;  ///< less the reference's mean variance: unbiased, and so perhaps negative
   double mean_error = 0;
-  double covered = -1;           ///< share of pixels whose 95 % interval holds the reference; -1: no variance
-  double error_claimed = 0;      ///< root mean square of the claimed standard errors
+  double covered = -1;       ///< share of pixels whose 95 % interval holds the reference; -1: no variance
+  double error_claimed = 0;  ///< root mean square of the claimed standard errors
 };
 
 struct StudyPoint {
@@ -55,8 +55,8 @@ struct StudyPoint {
   double level = 0;
   std::uint32_t wanted = 0;  ///< runs
   std::vector<StudyRun> runs;
-  double bias_square = 0;    ///< estimate of the mean squared bias, from pairs of runs; may be negative
-  double pairs = 0;          ///< pairs of runs behind it
+  double bias_square = 0;  ///< estimate of the mean squared bias, from pairs of runs; may be negative
+  double pairs = 0;        ///< pairs of runs behind it
   bool finished() const { return runs.size() >= wanted; }
 };
 
@@ -65,7 +65,7 @@ struct PointSummary {
   Band rmse;
   double wall_seconds = 0, device_seconds = 0, rays = 0;  ///< medians
   double covered = -1, error_claimed = 0;                 ///< means
-  double efficiency = 0;                                  ///< 1 / (mean square error x wall seconds), 1/s; 0 if not positive
+  double efficiency = 0;  ///< 1 / (mean square error x wall seconds), 1/s; 0 if not positive
 };
 PointSummary summarise(const StudyPoint& point);
 
@@ -74,8 +74,9 @@ std::uint32_t runs_wanted(const StudyMethod& method, double level);
 
 /// Measures every method at every level, as far as the budget goes.
 ///
-/// Runs are interleaved: a round makes one run of each unfinished point, cheap ones first, so that a machine's drift meets all methods
-/// alike, and a study that ends early has every point rather than some. Run r of a point has seed `seed + r`.
+/// Runs are interleaved: a round makes one run of each unfinished point, cheap ones first, so that a
+/// machine's drift meets all methods alike, and a study that ends early has every point rather than some. Run
+/// r of a point has seed `seed + r`.
 class Study {
  public:
   struct Settings {
@@ -98,8 +99,8 @@ class Study {
  private:
   struct Slot {
     std::size_t method;
-    std::vector<double> error_sum;      // Σ over this process's runs of the signed error
-    std::vector<double> mean_squares;   // of these, the reference's variance included
+    std::vector<double> error_sum;     // Σ over this process's runs of the signed error
+    std::vector<double> mean_squares;  // of these, the reference's variance included
     double bias_before = 0, pairs_before = 0;
   };
   void measure(std::size_t point);

@@ -24,12 +24,14 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
 }
 
 json of_run(const StudyRun& r) {
-  return {{"seed", r.seed},           {"wall_seconds", r.wall_seconds},           {"device_seconds", r.device_seconds}, {"rays", r.rays},
-          {"mse", r.mean_square_error}, {"mean_error", r.mean_error}, {"covered", r.covered},             {"error_claimed", r.error_claimed}};
+  return {{"seed", r.seed},       {"wall_seconds", r.wall_seconds},  {"device_seconds", r.device_seconds},
+          {"rays", r.rays},       {"mse", r.mean_square_error},      {"mean_error", r.mean_error},
+          {"covered", r.covered}, {"error_claimed", r.error_claimed}};
 }
 
 StudyRun run_of(const json& j) {
-  return {j.at("seed"), j.at("wall_seconds"), j.at("device_seconds"), j.at("rays"), j.at("mse"), j.at("mean_error"), j.at("covered"), j.at("error_claimed")};
+  return {j.at("seed"), j.at("wall_seconds"), j.at("device_seconds"), j.at("rays"),
+          j.at("mse"),  j.at("mean_error"),   j.at("covered"),        j.at("error_claimed")};
 }
 
 json of_summary(const StudyPoint& point) {
@@ -47,13 +49,15 @@ json of_summary(const StudyPoint& point) {
           {"error_claimed", s.error_claimed},
           {"efficiency", s.efficiency},
           {"mean_error", mean_band([&] {
-             std::vector<double> values;
-             for (const StudyRun& run : point.runs) values.push_back(run.mean_error);
-             return values;
-           }()).value}};
+                           std::vector<double> values;
+                           for (const StudyRun& run : point.runs) values.push_back(run.mean_error);
+                           return values;
+                         }())
+                             .value}};
 }
 
-// log error against log cost over the points from 4 samples on, where the noise and not the overhead of a launch is seen.
+// log error against log cost over the points from 4 samples on, where the noise and not the overhead of a
+// launch is seen.
 json fit(const std::vector<CostPoint>& curve) {
   std::vector<double> x, y;
   for (const CostPoint& point : curve)
@@ -89,8 +93,9 @@ json of_method(const Study& study, const StudyMethod& method) {
   j["fit_rays"] = fit(to_fit_rays);
   for (const double error : errors_of_interest) {
     const auto cost = cost_of_error(by_seconds, error);
-    j["seconds_to"].push_back(cost ? json{{"error", error}, {"seconds", cost->value}, {"extrapolated", cost->extrapolated}}
-                                   : json{{"error", error}, {"seconds", nullptr}});
+    j["seconds_to"].push_back(
+        cost ? json{{"error", error}, {"seconds", cost->value}, {"extrapolated", cost->extrapolated}}
+             : json{{"error", error}, {"seconds", nullptr}});
   }
   return j;
 }
@@ -99,7 +104,8 @@ json whole(const Study& study, const StudyFacts& facts) {
   json j;
   for (const auto& [name, text] : facts) j["facts"].push_back({{"name", name}, {"text", text}});
   double variance = 0;
-  for (const float v : study.reference().variance) variance += double(v) / double(study.reference().variance.size());
+  for (const float v : study.reference().variance)
+    variance += double(v) / double(study.reference().variance.size());
   j["reference"] = {{"description", study.reference().description},
                     {"spp", study.reference().spp},
                     {"seconds", study.reference().seconds},
@@ -111,36 +117,47 @@ json whole(const Study& study, const StudyFacts& facts) {
 
 }  // namespace
 
-std::string study_json(const Study& study, const StudyFacts& facts) { return whole(study, facts).dump(); }
+std::string study_json(const Study& study, const StudyFacts& facts) {
+  return whole(study, facts).dump();
+}
 
 void write_study_json(const std::filesystem::path& path, const Study& study, const StudyFacts& facts) {
   json j = whole(study, facts);
   for (const StudyPoint& point : study.points()) {
     json runs = json::array();
     for (const StudyRun& run : point.runs) runs.push_back(of_run(run));
-    j["runs"].push_back({{"method", point.method}, {"level", point.level}, {"bias_square", point.bias_square}, {"pairs", point.pairs}, {"runs", runs}});
+    j["runs"].push_back({{"method", point.method},
+                         {"level", point.level},
+                         {"bias_square", point.bias_square},
+                         {"pairs", point.pairs},
+                         {"runs", runs}});
   }
   write_text(path, j.dump(1) + '\n');
 }
 
 void write_study_csv(const std::filesystem::path& path, const Study& study) {
   std::string text =
-      "method,family,sampling,sampler,directions,level,runs,rmse,rmse_low,rmse_high,wall_seconds,device_seconds,rays,bias,mean_error,covered,"
+      "method,family,sampling,sampler,directions,level,runs,rmse,rmse_low,rmse_high,wall_seconds,device_"
+      "seconds,rays,bias,mean_error,covered,"
       "error_claimed,efficiency\n";
   for (const StudyMethod& method : study.methods())
     for (const StudyPoint& point : study.points()) {
       if (point.method != method.name || point.runs.empty()) continue;
       const json s = of_summary(point);
       const auto number = [&](const char* name) { return s.at(name).get<double>(); };
-      text += fmt::format("{},{},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.0f},{:.6g},{:.6g},{:.4f},{:.6g},{:.6g}\n", method.name,
-                          family_names[int(method.family)], method.sampling, method.sampler, method.directions, point.level, point.runs.size(),
-                          number("rmse"), number("rmse_low"), number("rmse_high"), number("wall_seconds"), number("device_seconds"), number("rays"),
-                          number("bias"), number("mean_error"), number("covered"), number("error_claimed"), number("efficiency"));
+      text += fmt::format(
+          "{},{},{},{},{},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.0f},{:.6g},{:.6g},{:.4f},{:.6g},{:.6g}"
+          "\n",
+          method.name, family_names[int(method.family)], method.sampling, method.sampler, method.directions,
+          point.level, point.runs.size(), number("rmse"), number("rmse_low"), number("rmse_high"),
+          number("wall_seconds"), number("device_seconds"), number("rays"), number("bias"),
+          number("mean_error"), number("covered"), number("error_claimed"), number("efficiency"));
     }
   write_text(path, text);
 }
 
-std::vector<StudyPoint> read_study_points(const std::filesystem::path& path, const StudyFacts& facts, const std::vector<std::string>& identity) {
+std::vector<StudyPoint> read_study_points(const std::filesystem::path& path, const StudyFacts& facts,
+                                          const std::vector<std::string>& identity) {
   std::ifstream file(path);
   if (!file) return {};
   try {

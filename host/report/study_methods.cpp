@@ -16,12 +16,17 @@ namespace nook {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
-constexpr std::uint32_t reference_seed = 0x7265666fu;  // far from the runs' seeds, which count up from the study's
+constexpr std::uint32_t reference_seed =
+    0x7265666fu;  // far from the runs' seeds, which count up from the study's
 constexpr std::uint32_t reference_scrambles = 16;
 
-std::uint64_t rays(const RenderCounters& c) { return c.camera_rays + c.occlusion_rays; }
+std::uint64_t rays(const RenderCounters& c) {
+  return c.camera_rays + c.occlusion_rays;
+}
 
 Scene studied(const Scene& scene, int width, int height) {
   Scene made = scene;
@@ -31,12 +36,16 @@ Scene studied(const Scene& scene, int width, int height) {
   const auto occlusion = std::find_if(made.effects.begin(), made.effects.end(), [](const Effect& e) {
     return e.kind == EffectKind::ao || e.kind == EffectKind::ro || e.kind == EffectKind::ssao;
   });
-  if (occlusion == made.effects.end()) throw Error(ExitCode::scene, fmt::format("{}: a study needs a scene of type ao, ro or ssao", scene.file.string()));
+  if (occlusion == made.effects.end())
+    throw Error(ExitCode::scene,
+                fmt::format("{}: a study needs a scene of type ao, ro or ssao", scene.file.string()));
   Effect effect = *occlusion;
   if (effect.kind == EffectKind::ssao) {
     effect.kind = EffectKind::ao;
     effect.sampling = Sampling::cosine;
-    effect.max_distance = effect.ssao.radius > 0 ? DistanceLimit{DistanceLimit::Kind::value, effect.ssao.radius} : DistanceLimit{};
+    effect.max_distance = effect.ssao.radius > 0
+                              ? DistanceLimit{DistanceLimit::Kind::value, effect.ssao.radius}
+                              : DistanceLimit{};
   }
   effect.name.clear();
   made.effects = {effect};
@@ -55,8 +64,13 @@ struct StudyScene::Variances {
   double second_moment = 0;      // AO: mean over pixels of M = E[V cos] under the cosine distribution
 };
 
-StudyScene::StudyScene(const Device& device, const Scene& scene, const TriangleMesh& mesh, const Bvh& bvh, int width, int height)
-    : device_(device), scene_(studied(scene, width, height)), mesh_(mesh), bvh_(bvh), plan_(make_plan(scene_, mesh)) {}
+StudyScene::StudyScene(const Device& device, const Scene& scene, const TriangleMesh& mesh, const Bvh& bvh,
+                       int width, int height)
+    : device_(device),
+      scene_(studied(scene, width, height)),
+      mesh_(mesh),
+      bvh_(bvh),
+      plan_(make_plan(scene_, mesh)) {}
 
 Plan StudyScene::plan_with(Sampling sampling, Sampler sampler, std::uint32_t directions) const {
   Scene scene = scene_;
@@ -66,13 +80,16 @@ Plan StudyScene::plan_with(Sampling sampling, Sampler sampler, std::uint32_t dir
   return make_plan(scene, mesh_);
 }
 
-StudyMethod StudyScene::path_traced(Sampling sampling, Sampler sampler, std::uint32_t directions, std::uint32_t max_spp) const {
+StudyMethod StudyScene::path_traced(Sampling sampling, Sampler sampler, std::uint32_t directions,
+                                    std::uint32_t max_spp) const {
   StudyMethod method;
   method.sampling = name_of(sampling);
   method.sampler = name_of(sampler);
   method.directions = directions;
-  method.name = method.sampling + " " + method.sampler + (directions > 1 ? fmt::format(" x{}", directions) : "");
-  for (std::uint32_t spp = 1; spp <= max_spp && spp * directions <= std::max(1024u, max_spp); spp *= 2) method.levels.push_back(spp);
+  method.name =
+      method.sampling + " " + method.sampler + (directions > 1 ? fmt::format(" x{}", directions) : "");
+  for (std::uint32_t spp = 1; spp <= max_spp && spp * directions <= std::max(1024u, max_spp); spp *= 2)
+    method.levels.push_back(spp);
   const Plan plan = plan_with(sampling, sampler, directions);
   const auto tracer = std::make_shared<PathTracer>(device_, plan, mesh_, bvh_);
   const auto order = std::make_shared<std::vector<std::uint32_t>>(pixels_in_order(plan.window, plan.width));
@@ -110,7 +127,8 @@ StudyMethod StudyScene::adaptive() const {
   method.sampling = name_of(sampling);
   method.sampler = name_of(Sampler::independent);
   method.levels = {.1, .05, .02, .01};
-  const auto plan = std::make_shared<Plan>(AdaptiveRender::plan_for(plan_with(sampling, Sampler::independent, 1), ErrorTarget{}));
+  const auto plan = std::make_shared<Plan>(
+      AdaptiveRender::plan_for(plan_with(sampling, Sampler::independent, 1), ErrorTarget{}));
   const auto tracer = std::make_shared<PathTracer>(device_, *plan, mesh_, bvh_);
   method.render = [tracer, plan](double level, std::uint32_t seed) {
     const RenderCounters before = tracer->counters();
@@ -129,7 +147,8 @@ StudyMethod StudyScene::adaptive() const {
   return method;
 }
 
-StudyMethod StudyScene::screen_space(SsaoSettings::Method kind, std::optional<SsaoSettings::Quality> quality) const {
+StudyMethod StudyScene::screen_space(SsaoSettings::Method kind,
+                                     std::optional<SsaoSettings::Quality> quality) const {
   StudyMethod method;
   method.name = fmt::format("ssao {}{}", name_of(kind), quality ? fmt::format(" {}", name_of(*quality)) : "");
   method.family = StudyMethod::Family::ssao;
@@ -155,7 +174,8 @@ StudyMethod StudyScene::screen_space(SsaoSettings::Method kind, std::optional<Ss
   return method;
 }
 
-// From a run of hemisphere samples, whose second moment is 2M (kernels/ambient.cl), with random numbers of its own.
+// From a run of hemisphere samples, whose second moment is 2M (kernels/ambient.cl), with random numbers of
+// its own.
 StudyScene::Variances StudyScene::variances() const {
   constexpr std::uint32_t spp = 256;
   Plan plan = plan_with(Sampling::hemisphere, Sampler::independent, 1);
@@ -170,7 +190,8 @@ StudyScene::Variances StudyScene::variances() const {
     const double mean = film.value(i);
     v.value += mean / double(film.pixels());
     v.mean_square_value += (mean * mean - film.variance(i)) / double(film.pixels());
-    v.second_moment += 0.5 * double(film.sum_square[i]) / (double(film.square_scale) * spp) / double(film.pixels());
+    v.second_moment +=
+        0.5 * double(film.sum_square[i]) / (double(film.square_scale) * spp) / double(film.pixels());
   }
   return v;
 }
@@ -179,30 +200,39 @@ std::vector<StudyMethod> StudyScene::methods(const StudyChoice& choice) const {
   const EffectPlan& effect = plan_.effects.front();
   const bool ro = effect.effect.kind == EffectKind::ro;
   const std::vector<Sampling> all_samplings =
-      ro ? std::vector{Sampling::lobe, Sampling::mixture, Sampling::cosine} : std::vector{Sampling::cosine, Sampling::hemisphere, Sampling::sphere};
-  const std::vector<Sampler> all_samplers = {Sampler::independent, Sampler::stratified, Sampler::halton, Sampler::sobol, Sampler::zorder};
+      ro ? std::vector{Sampling::lobe, Sampling::mixture, Sampling::cosine}
+         : std::vector{Sampling::cosine, Sampling::hemisphere, Sampling::sphere};
+  const std::vector<Sampler> all_samplers = {Sampler::independent, Sampler::stratified, Sampler::halton,
+                                             Sampler::sobol, Sampler::zorder};
   const bool chosen = !choice.samplings.empty() || !choice.samplers.empty();
   std::vector<StudyMethod> methods;
   for (const Sampling sampling : choice.samplings.empty() ? all_samplings : choice.samplings)
     for (const Sampler sampler : choice.samplers.empty() ? all_samplers : choice.samplers) {
       // By default every sampler with the best distribution, and every distribution with two samplers.
-      if (!chosen && sampling != all_samplings.front() && sampler != Sampler::independent && sampler != Sampler::sobol) continue;
+      if (!chosen && sampling != all_samplings.front() && sampler != Sampler::independent &&
+          sampler != Sampler::sobol)
+        continue;
       methods.push_back(path_traced(sampling, sampler, 1, choice.max_spp));
     }
   if (!chosen) methods.push_back(path_traced(all_samplings.front(), Sampler::sobol, 16, choice.max_spp));
   if (!ro) {
     const Variances v = variances();
     for (StudyMethod& method : methods) {
-      const double moment = method.sampling == "cosine" ? v.value : (method.sampling == "hemisphere" ? 2 : 4) * v.second_moment;
-      if (method.sampler == "independent" && method.directions == 1) method.predicted_variance = moment - v.mean_square_value;
+      const double moment =
+          method.sampling == "cosine" ? v.value : (method.sampling == "hemisphere" ? 2 : 4) * v.second_moment;
+      if (method.sampler == "independent" && method.directions == 1)
+        method.predicted_variance = moment - v.mean_square_value;
     }
   }
   if (choice.adaptive) methods.push_back(adaptive());
   if (choice.ssao && !ro && std::isfinite(effect.max_distance) && !scene_.automatic_camera) {
     using Quality = SsaoSettings::Quality;
     try {
-      for (const auto kind : {SsaoSettings::Method::point, SsaoSettings::Method::gtao, SsaoSettings::Method::march}) methods.push_back(screen_space(kind, std::nullopt));
-      for (const auto quality : {Quality::draft, Quality::real_time, Quality::accurate}) methods.push_back(screen_space(SsaoSettings::Method::march, quality));
+      for (const auto kind :
+           {SsaoSettings::Method::point, SsaoSettings::Method::gtao, SsaoSettings::Method::march})
+        methods.push_back(screen_space(kind, std::nullopt));
+      for (const auto quality : {Quality::draft, Quality::real_time, Quality::accurate})
+        methods.push_back(screen_space(SsaoSettings::Method::march, quality));
     } catch (const Error& e) {
       if (e.code() != ExitCode::device) throw;
       fmt::print(stderr, "warning: the study goes without SSAO: {}\n", e.what());
@@ -213,7 +243,8 @@ std::vector<StudyMethod> StudyScene::methods(const StudyChoice& choice) const {
 
 StudyReference StudyScene::reference(double seconds) const {
   const Clock::time_point start = Clock::now();
-  const Sampling sampling = plan_.effects.front().effect.kind == EffectKind::ro ? Sampling::lobe : Sampling::cosine;
+  const Sampling sampling =
+      plan_.effects.front().effect.kind == EffectKind::ro ? Sampling::lobe : Sampling::cosine;
   const Plan plan = plan_with(sampling, Sampler::halton, 1);
   PathTracer tracer(device_, plan, mesh_, bvh_);
   const std::vector<std::uint32_t> order = pixels_in_order(plan.window, plan.width);
@@ -227,7 +258,8 @@ StudyReference StudyScene::reference(double seconds) const {
     }
     taken = next;
     next *= 2;
-  } while (seconds_since(start) < 0.5 * seconds && next <= 1u << 16);  // the next doubling takes as long as all before
+  } while (seconds_since(start) < 0.5 * seconds &&
+           next <= 1u << 16);  // the next doubling takes as long as all before
 
   StudyReference made;
   made.spp = std::uint64_t(taken) * reference_scrambles;
@@ -240,13 +272,15 @@ StudyReference StudyScene::reference(double seconds) const {
     made.variance.push_back(float(square / (reference_scrambles - 1) / reference_scrambles));
   }
   made.seconds = seconds_since(start);
-  made.description = fmt::format("{} {}, {} scrambles of {} samples, seeds {}-{}", name_of(sampling), name_of(Sampler::halton), reference_scrambles,
-                                 taken, reference_seed, reference_seed + reference_scrambles - 1);
+  made.description = fmt::format("{} {}, {} scrambles of {} samples, seeds {}-{}", name_of(sampling),
+                                 name_of(Sampler::halton), reference_scrambles, taken, reference_seed,
+                                 reference_seed + reference_scrambles - 1);
   return made;
 }
 
 double StudyScene::samples_per_second() const {
-  const Sampling sampling = plan_.effects.front().effect.kind == EffectKind::ro ? Sampling::lobe : Sampling::cosine;
+  const Sampling sampling =
+      plan_.effects.front().effect.kind == EffectKind::ro ? Sampling::lobe : Sampling::cosine;
   const StudyMethod method = path_traced(sampling, Sampler::sobol, 1, 16);
   method.render(16, 1);
   const StudyPicture picture = method.render(16, 2);
@@ -258,8 +292,10 @@ double samples_per_pixel(const std::vector<StudyMethod>& methods) {
   for (const StudyMethod& method : methods)
     for (const double level : method.levels) {
       const double runs = runs_wanted(method, level);
-      if (method.family == StudyMethod::Family::fixed) sum += runs * level * std::sqrt(double(method.directions));
-      if (method.family == StudyMethod::Family::adaptive) sum += runs * std::max(16.0, 0.18 / (level * level));
+      if (method.family == StudyMethod::Family::fixed)
+        sum += runs * level * std::sqrt(double(method.directions));
+      if (method.family == StudyMethod::Family::adaptive)
+        sum += runs * std::max(16.0, 0.18 / (level * level));
     }
   return sum;
 }

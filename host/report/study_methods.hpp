@@ -20,11 +20,14 @@ struct StudyChoice {
   bool adaptive = true, ssao = true;
 };
 
-/// One scene's picture at one size, by every method of a study. Studies its first AO or RO effect; an SSAO effect as AO of the same radius.
+/// One scene's picture at one size, by every method of a study. Studies its first AO or RO effect; an SSAO
+/// effect as AO of the same radius.
 class StudyScene {
  public:
-  /// device, mesh and bvh must outlive it and its methods. Throws Error(scene) if the scene has no occlusion effect.
-  StudyScene(const Device& device, const Scene& scene, const TriangleMesh& mesh, const Bvh& bvh, int width, int height);
+  /// device, mesh and bvh must outlive it and its methods. Throws Error(scene) if the scene has no occlusion
+  /// effect.
+  StudyScene(const Device& device, const Scene& scene, const TriangleMesh& mesh, const Bvh& bvh, int width,
+             int height);
 
   int width() const { return scene_.width; }
   int height() const { return scene_.height; }
@@ -33,11 +36,12 @@ class StudyScene {
   /// The methods, their programs built.
   std::vector<StudyMethod> methods(const StudyChoice& choice) const;
   /// One of them.
-  StudyMethod path_traced(Sampling sampling, Sampler sampler, std::uint32_t directions, std::uint32_t max_spp) const;
+  StudyMethod path_traced(Sampling sampling, Sampler sampler, std::uint32_t directions,
+                          std::uint32_t max_spp) const;
   StudyMethod adaptive() const;
 
-  /// 16 independent scrambles of Halton's sequence (no method's random numbers: the seeds are others), doubled for about `seconds`;
-  /// the variance is measured between the scrambles.
+  /// 16 independent scrambles of Halton's sequence (no method's random numbers: the seeds are others),
+  /// doubled for about `seconds`; the variance is measured between the scrambles.
   StudyReference reference(double seconds) const;
 
   /// Camera samples a second of the cosine (RO: lobe) estimator, from a run of a fraction of a second.
@@ -56,7 +60,8 @@ class StudyScene {
   Plan plan_;
 };
 
-/// The camera samples that a study of these methods takes for each pixel, about: what its picture's size follows from.
+/// The camera samples that a study of these methods takes for each pixel, about: what its picture's size
+/// follows from.
 double samples_per_pixel(const std::vector<StudyMethod>& methods);
 
 }  // namespace nook

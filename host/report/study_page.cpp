@@ -24,7 +24,8 @@ using nlohmann::json;
 
 std::string page_file(std::string_view name) {
   for (unsigned i = 0; i < report_page::file_count; ++i)
-    if (std::string_view(report_page::files[i].path).ends_with(std::string("/").append(name))) return report_page::files[i].text;
+    if (std::string_view(report_page::files[i].path).ends_with(std::string("/").append(name)))
+      return report_page::files[i].text;
   throw Error(ExitCode::internal, fmt::format("the page's {} is not embedded", name));
 }
 
@@ -33,7 +34,8 @@ std::string base64(const std::vector<std::uint8_t>& bytes) {
   std::string text;
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     const std::size_t left = bytes.size() - i;
-    const unsigned v = unsigned(bytes[i]) << 16 | (left > 1 ? unsigned(bytes[i + 1]) << 8 : 0u) | (left > 2 ? bytes[i + 2] : 0u);
+    const unsigned v = unsigned(bytes[i]) << 16 | (left > 1 ? unsigned(bytes[i + 1]) << 8 : 0u) |
+                       (left > 2 ? bytes[i + 2] : 0u);
     text += digits[v >> 18];
     text += digits[v >> 12 & 63];
     text += left > 1 ? digits[v >> 6 & 63] : '=';
@@ -58,12 +60,17 @@ json sixteen_bits(const std::vector<T>& values) {
 
 json of_picture(const GalleryPicture& picture, int width, int height) {
   json j = sixteen_bits(picture.image);
-  j.update({{"group", picture.group}, {"name", picture.name}, {"detail", picture.detail}, {"width", width}, {"height", height}});
+  j.update({{"group", picture.group},
+            {"name", picture.name},
+            {"detail", picture.detail},
+            {"width", width},
+            {"height", height}});
   if (!picture.samples.empty()) j["samples"] = sixteen_bits(picture.samples);
   return j;
 }
 
-// The first two dimensions of Sobol's sequence: the index reversed, and its Pascal-matrix product reversed (Sobol' 1967).
+// The first two dimensions of Sobol's sequence: the index reversed, and its Pascal-matrix product reversed
+// (Sobol' 1967).
 vec2 sobol_point(std::uint32_t index) {
   std::uint32_t x = 0, y = 0, column = 1u << 31;
   for (unsigned bit = 0; bit < 32; ++bit, column ^= column >> 1)
@@ -100,21 +107,25 @@ std::vector<WarpPattern> warp_patterns(const Device& device, float exponent) {
   return patterns;
 }
 
-void write_study_page(const std::filesystem::path& path, const Study& study, const StudyFacts& facts, const Gallery& gallery,
-                      std::span<const WarpPattern> patterns) {
+void write_study_page(const std::filesystem::path& path, const Study& study, const StudyFacts& facts,
+                      const Gallery& gallery, std::span<const WarpPattern> patterns) {
   json data = json::parse(study_json(study, facts));
-  for (const GalleryPicture& picture : gallery.pictures) data["gallery"].push_back(of_picture(picture, gallery.width, gallery.height));
+  for (const GalleryPicture& picture : gallery.pictures)
+    data["gallery"].push_back(of_picture(picture, gallery.width, gallery.height));
   for (const WarpPattern& pattern : patterns) {
     json points;
-    for (const vec2& p : pattern.points) points.push_back({std::round(p.x * 1e4) / 1e4, std::round(p.y * 1e4) / 1e4});
+    for (const vec2& p : pattern.points)
+      points.push_back({std::round(p.x * 1e4) / 1e4, std::round(p.y * 1e4) / 1e4});
     data["patterns"].push_back({{"name", pattern.name}, {"points", points}});
   }
   std::string page = page_file("index.html");
   replace(page, "/*@style.css@*/", page_file("style.css"));
-  for (const char* script : {"plot.js", "tables.js", "viewer.js", "main.js"}) replace(page, fmt::format("/*@{}@*/", script), page_file(script));
+  for (const char* script : {"plot.js", "tables.js", "viewer.js", "main.js"})
+    replace(page, fmt::format("/*@{}@*/", script), page_file(script));
   // "</script>" in a text would end the element; "\u003c" is the same character inside a JSON string.
   std::string text = data.dump();
-  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at + 6)) text.replace(at, 1, "\\u003c");
+  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at + 6))
+    text.replace(at, 1, "\\u003c");
   replace(page, "@data@", text);
   PendingFile file(path);
   file.write(page.data(), page.size());

@@ -23,9 +23,9 @@ struct Gallery {
   std::vector<GalleryPicture> pictures;
 };
 
-/// Writes the study as one HTML file that needs nothing else. Pictures go in as 16-bit numbers, so that the page can show errors
-/// and values and not just colours. Throws Error(output).
-void write_study_page(const std::filesystem::path& path, const Study& study, const StudyFacts& facts, const Gallery& gallery,
-                      std::span<const WarpPattern> patterns);
+/// Writes the study as one HTML file that needs nothing else. Pictures go in as 16-bit numbers, so that the
+/// page can show errors and values and not just colours. Throws Error(output).
+void write_study_page(const std::filesystem::path& path, const Study& study, const StudyFacts& facts,
+                      const Gallery& gallery, std::span<const WarpPattern> patterns);
 
 }  // namespace nook

@@ -9,7 +9,8 @@ namespace {
 
 // Density of Student's distribution.
 double student_density(double t, double n) {
-  return std::exp(std::lgamma(0.5 * (n + 1)) - std::lgamma(0.5 * n)) / std::sqrt(n * std::numbers::pi) * std::pow(1 + t * t / n, -0.5 * (n + 1));
+  return std::exp(std::lgamma(0.5 * (n + 1)) - std::lgamma(0.5 * n)) / std::sqrt(n * std::numbers::pi) *
+         std::pow(1 + t * t / n, -0.5 * (n + 1));
 }
 
 // P(0 < T < t): Simpson's rule in x with t = x / (1 - x), whose integrand is smooth and bounded.
@@ -43,13 +44,18 @@ Band mean_band(std::span<const double> values, double confidence) {
   const double mean = sum / n;
   if (values.size() < 2) return {mean, mean, mean};
   for (const double v : values) square += (v - mean) * (v - mean);
-  const double reach = student_quantile(confidence, unsigned(values.size() - 1)) * std::sqrt(square / (n - 1) / n);
+  const double reach =
+      student_quantile(confidence, unsigned(values.size() - 1)) * std::sqrt(square / (n - 1) / n);
   return {mean, mean - reach, mean + reach};
 }
 
-Band root(const Band& b) { return {std::sqrt(std::max(0.0, b.value)), std::sqrt(std::max(0.0, b.low)), std::sqrt(std::max(0.0, b.high))}; }
+Band root(const Band& b) {
+  return {std::sqrt(std::max(0.0, b.value)), std::sqrt(std::max(0.0, b.low)),
+          std::sqrt(std::max(0.0, b.high))};
+}
 
-std::optional<LineFit> fit_line(std::span<const double> x, std::span<const double> y, std::span<const double> weights) {
+std::optional<LineFit> fit_line(std::span<const double> x, std::span<const double> y,
+                                std::span<const double> weights) {
   if (x.size() < 3) return std::nullopt;
   double w = 0, mx = 0, my = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -69,7 +75,8 @@ std::optional<LineFit> fit_line(std::span<const double> x, std::span<const doubl
   fit.slope = sxy / sxx;
   fit.intercept = my - fit.slope * mx;
   double residual = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) residual += weights[i] * std::pow(y[i] - fit.intercept - fit.slope * x[i], 2);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    residual += weights[i] * std::pow(y[i] - fit.intercept - fit.slope * x[i], 2);
   fit.slope_error = std::sqrt(residual / double(x.size() - 2) / sxx);
   return fit;
 }

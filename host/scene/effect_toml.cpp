@@ -13,9 +13,11 @@ namespace {
 // The course's other assignments have more types; these are the ones of its third, and what nook adds.
 EffectKind read_type(TomlTable& table, bool realtime) {
   const toml::node* node = table.find("type");
-  const EffectKind kind = table.choice<EffectKind>("type", realtime ? EffectKind::ssao : EffectKind::ao, effect_names);
+  const EffectKind kind =
+      table.choice<EffectKind>("type", realtime ? EffectKind::ssao : EffectKind::ao, effect_names);
   if (node && realtime && kind != EffectKind::ssao)
-    fail_at(table.file(), node->source(), fmt::format("realtime = true renders type \"ssao\", not \"{}\"", name_of(kind)));
+    fail_at(table.file(), node->source(),
+            fmt::format("realtime = true renders type \"ssao\", not \"{}\"", name_of(kind)));
   return kind;
 }
 
@@ -24,7 +26,8 @@ Sampling read_sampling(TomlTable& table, EffectKind kind) {
   const Sampling fallback = kind == EffectKind::ro ? Sampling::lobe : Sampling::cosine;
   const Sampling sampling = table.choice<Sampling>("sampling_type", fallback, sampling_names);
   if (node && kind != EffectKind::ro && (sampling == Sampling::lobe || sampling == Sampling::mixture))
-    fail_at(table.file(), node->source(), fmt::format("sampling_type \"{}\" needs type \"ro\"", name_of(sampling)));
+    fail_at(table.file(), node->source(),
+            fmt::format("sampling_type \"{}\" needs type \"ro\"", name_of(sampling)));
   return sampling;
 }
 
@@ -32,10 +35,12 @@ SsaoSettings read_ssao(TomlTable& table) {
   SsaoSettings ssao;
   ssao.method = table.choice<SsaoSettings::Method>("method", ssao.method, ssao_method_names);
   if (table.has("quality"))
-    ssao.quality = table.choice<SsaoSettings::Quality>("quality", SsaoSettings::Quality::real_time, ssao_quality_names);
+    ssao.quality =
+        table.choice<SsaoSettings::Quality>("quality", SsaoSettings::Quality::real_time, ssao_quality_names);
   else
     table.find("quality");
-  if (const toml::node* node = table.find("radius"); node && node->is_string() && node->value_or("") == std::string("auto"))
+  if (const toml::node* node = table.find("radius");
+      node && node->is_string() && node->value_or("") == std::string("auto"))
     ssao.radius = 0;
   else
     ssao.radius = float(table.number("radius", ssao.radius, 0, 1e30, "a radius above 0, or \"auto\"", true));
@@ -47,11 +52,13 @@ SsaoSettings read_ssao(TomlTable& table) {
 
 void read_exponent(TomlTable& table, Effect& effect) {
   if (const toml::node* node = table.find("exponent"); node && node->is_string()) {
-    if (node->value_or("") != std::string("material")) table.wrong(*node, "exponent", "a number from 0 to 1e7, or \"material\"");
+    if (node->value_or("") != std::string("material"))
+      table.wrong(*node, "exponent", "a number from 0 to 1e7, or \"material\"");
     effect.exponent_of_material = true;
     return;
   }
-  effect.exponent = float(table.number("exponent", effect.exponent, 0, 1e7, "a number from 0 to 1e7, or \"material\""));
+  effect.exponent =
+      float(table.number("exponent", effect.exponent, 0, 1e7, "a number from 0 to 1e7, or \"material\""));
 }
 
 // The names of EXR layers and channels that the picture itself uses.
@@ -61,11 +68,14 @@ std::string read_name(TomlTable& table) {
   const std::string name = table.text("name", "");
   const toml::node* node = table.find("name");
   if (!node) return name;
-  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-'; };
+  const auto letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  };
   if (name.empty() || name.size() > 64 || !std::all_of(name.begin(), name.end(), letter))
     table.wrong(*node, "name", "1 to 64 of the letters a-z, A-Z, 0-9, _ and -");
   if (std::find(std::begin(taken_names), std::end(taken_names), name) != std::end(taken_names))
-    fail_at(table.file(), node->source(), fmt::format("the name '{}' is taken by a channel of the picture", name));
+    fail_at(table.file(), node->source(),
+            fmt::format("the name '{}' is taken by a channel of the picture", name));
   return name;
 }
 
@@ -73,12 +83,15 @@ void read_traced(TomlTable& table, Effect& effect) {
   effect.sampling = read_sampling(table, effect.kind);
   if (effect.kind == EffectKind::ro) effect.max_distance.kind = DistanceLimit::Kind::none;
   effect.max_distance = table.distance("max_distance", effect.max_distance);
-  effect.min_distance = float(table.number("min_distance", effect.min_distance, 0, 1e30, "a distance of at least 0"));
+  effect.min_distance =
+      float(table.number("min_distance", effect.min_distance, 0, 1e30, "a distance of at least 0"));
   effect.falloff = table.choice<Falloff>("falloff", effect.falloff, falloff_names);
   effect.side = table.choice<Side>("side", effect.side, side_names);
   if (effect.kind == EffectKind::ro) return;
-  effect.cone_angle = float(table.number("cone_angle", effect.cone_angle, 0, 90, "an angle above 0 and up to 90 degrees"));
-  if (effect.cone_angle == 0) table.wrong(*table.find("cone_angle"), "cone_angle", "an angle above 0 and up to 90 degrees");
+  effect.cone_angle =
+      float(table.number("cone_angle", effect.cone_angle, 0, 90, "an angle above 0 and up to 90 degrees"));
+  if (effect.cone_angle == 0)
+    table.wrong(*table.find("cone_angle"), "cone_angle", "an angle above 0 and up to 90 degrees");
   if (effect.kind != EffectKind::bent) return;
   static constexpr std::pair<std::string_view, bool> spaces[] = {{"world", false}, {"view", true}};
   effect.view_space = table.choice<bool>("space", effect.view_space, spaces);

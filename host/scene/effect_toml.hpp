@@ -5,8 +5,8 @@
 
 namespace nook {
 
-/// The one effect of a scene without [[effect]] tables, from [renderer]. TinyRender's keys of other types are accepted there.
-/// Throws Error(scene), as all of these.
+/// The one effect of a scene without [[effect]] tables, from [renderer]. TinyRender's keys of other types are
+/// accepted there. Throws Error(scene), as all of these.
 Effect read_only_effect(TomlTable& renderer, bool realtime);
 
 /// One [[effect]] table: its type decides which keys it may have.

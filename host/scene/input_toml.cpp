@@ -16,7 +16,8 @@ std::vector<std::filesystem::path> read_files(TomlTable& input, const std::files
   }
   std::vector<std::filesystem::path> files;
   for (const toml::node& element : *list) {
-    if (!element.is_string() || (*element.as_string())->empty()) input.wrong(element, "objfile", "a string, or a list of strings");
+    if (!element.is_string() || (*element.as_string())->empty())
+      input.wrong(element, "objfile", "a string, or a list of strings");
     files.push_back(folder / **element.as_string());
   }
   if (files.empty()) input.wrong(*node, "objfile", "a string, or a list of strings");
@@ -34,7 +35,8 @@ Instance read_instance(TomlTable& table, const std::filesystem::path& folder) {
     instance.scale = vec3(float(table.number("scale", 1, -1e30, 1e30, "a number other than 0, or three")));
   else
     instance.scale = table.point("scale", instance.scale);
-  if (scale && !(instance.scale.x != 0 && instance.scale.y != 0 && instance.scale.z != 0)) table.wrong(*scale, "scale", "a number other than 0, or three");
+  if (scale && !(instance.scale.x != 0 && instance.scale.y != 0 && instance.scale.z != 0))
+    table.wrong(*scale, "scale", "a number other than 0, or three");
   table.finish();
   return instance;
 }
@@ -57,7 +59,8 @@ void read_input(TomlTable& input, TomlTable& ground, const toml::node* instances
     const std::vector<std::filesystem::path> files = read_files(input, folder);
     scene.mesh_file = files.front();
     if (list || files.size() > 1)
-      for (const std::filesystem::path& file : files) scene.instances.push_back({file, vec3(0), vec3(0), vec3(1)});
+      for (const std::filesystem::path& file : files)
+        scene.instances.push_back({file, vec3(0), vec3(0), vec3(1)});
   }
   for (std::size_t i = 0; list && i < list->size(); ++i) {
     TomlTable table(input.file(), "[[instance]]", list->get(i)->as_table());

@@ -52,7 +52,8 @@ std::optional<DistanceLimit> parse_distance_limit(const std::string& text) {
   if (text == "none") return DistanceLimit{DistanceLimit::Kind::none, 0};
   float value = 0;
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (code != std::errc() || end != text.data() + text.size() || !std::isfinite(value) || value < 0) return std::nullopt;
+  if (code != std::errc() || end != text.data() + text.size() || !std::isfinite(value) || value < 0)
+    return std::nullopt;
   return DistanceLimit{DistanceLimit::Kind::value, value};
 }
 

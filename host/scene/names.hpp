@@ -15,28 +15,36 @@ template <class T>
 using NameTable = std::span<const std::pair<std::string_view, T>>;
 
 // One table per enumeration: scene files, flags, metadata and reports all use these names.
-inline constexpr std::pair<std::string_view, Sampling> sampling_names[] = {{"cosine", Sampling::cosine},
-                                                                           {"hemisphere", Sampling::hemisphere},
-                                                                           {"sphere", Sampling::sphere},
-                                                                           {"lobe", Sampling::lobe},
-                                                                           {"mixture", Sampling::mixture}};
-inline constexpr std::pair<std::string_view, Sampler> sampler_names[] = {{"independent", Sampler::independent},
-                                                                         {"stratified", Sampler::stratified},
-                                                                         {"halton", Sampler::halton},
-                                                                         {"sobol", Sampler::sobol},
-                                                                         {"zorder", Sampler::zorder}};
-inline constexpr std::pair<std::string_view, EffectKind> effect_names[] = {
-    {"ao", EffectKind::ao},         {"ro", EffectKind::ro},             {"ssao", EffectKind::ssao},
-    {"normal", EffectKind::normal}, {"position", EffectKind::position}, {"depth", EffectKind::depth},
-    {"bent", EffectKind::bent}};
-inline constexpr std::pair<std::string_view, Falloff> falloff_names[] = {{"none", Falloff::none},
-                                                                         {"linear", Falloff::linear},
-                                                                         {"smooth", Falloff::smooth},
-                                                                         {"exponential", Falloff::exponential}};
+inline constexpr std::pair<std::string_view, Sampling> sampling_names[] = {
+    {"cosine", Sampling::cosine},
+    {"hemisphere", Sampling::hemisphere},
+    {"sphere", Sampling::sphere},
+    {"lobe", Sampling::lobe},
+    {"mixture", Sampling::mixture}};
+inline constexpr std::pair<std::string_view, Sampler> sampler_names[] = {
+    {"independent", Sampler::independent},
+    {"stratified", Sampler::stratified},
+    {"halton", Sampler::halton},
+    {"sobol", Sampler::sobol},
+    {"zorder", Sampler::zorder}};
+inline constexpr std::pair<std::string_view, EffectKind> effect_names[] = {{"ao", EffectKind::ao},
+                                                                           {"ro", EffectKind::ro},
+                                                                           {"ssao", EffectKind::ssao},
+                                                                           {"normal", EffectKind::normal},
+                                                                           {"position", EffectKind::position},
+                                                                           {"depth", EffectKind::depth},
+                                                                           {"bent", EffectKind::bent}};
+inline constexpr std::pair<std::string_view, Falloff> falloff_names[] = {
+    {"none", Falloff::none},
+    {"linear", Falloff::linear},
+    {"smooth", Falloff::smooth},
+    {"exponential", Falloff::exponential}};
 inline constexpr std::pair<std::string_view, Side> side_names[] = {
     {"normal", Side::normal}, {"inside", Side::inside}, {"viewer", Side::viewer}};
 inline constexpr std::pair<std::string_view, SsaoSettings::Method> ssao_method_names[] = {
-    {"point", SsaoSettings::Method::point}, {"gtao", SsaoSettings::Method::gtao}, {"march", SsaoSettings::Method::march}};
+    {"point", SsaoSettings::Method::point},
+    {"gtao", SsaoSettings::Method::gtao},
+    {"march", SsaoSettings::Method::march}};
 inline constexpr std::pair<std::string_view, SsaoSettings::Quality> ssao_quality_names[] = {
     {"draft", SsaoSettings::Quality::draft},
     {"real-time", SsaoSettings::Quality::real_time},
@@ -48,13 +56,27 @@ std::string_view name_of(NameTable<T> table, T value) {
     if (entry == value) return name;
   return "?";
 }
-inline std::string_view name_of(Sampling v) { return name_of<Sampling>(sampling_names, v); }
-inline std::string_view name_of(Sampler v) { return name_of<Sampler>(sampler_names, v); }
-inline std::string_view name_of(EffectKind v) { return name_of<EffectKind>(effect_names, v); }
-inline std::string_view name_of(Falloff v) { return name_of<Falloff>(falloff_names, v); }
-inline std::string_view name_of(Side v) { return name_of<Side>(side_names, v); }
-inline std::string_view name_of(SsaoSettings::Method v) { return name_of<SsaoSettings::Method>(ssao_method_names, v); }
-inline std::string_view name_of(SsaoSettings::Quality v) { return name_of<SsaoSettings::Quality>(ssao_quality_names, v); }
+inline std::string_view name_of(Sampling v) {
+  return name_of<Sampling>(sampling_names, v);
+}
+inline std::string_view name_of(Sampler v) {
+  return name_of<Sampler>(sampler_names, v);
+}
+inline std::string_view name_of(EffectKind v) {
+  return name_of<EffectKind>(effect_names, v);
+}
+inline std::string_view name_of(Falloff v) {
+  return name_of<Falloff>(falloff_names, v);
+}
+inline std::string_view name_of(Side v) {
+  return name_of<Side>(side_names, v);
+}
+inline std::string_view name_of(SsaoSettings::Method v) {
+  return name_of<SsaoSettings::Method>(ssao_method_names, v);
+}
+inline std::string_view name_of(SsaoSettings::Quality v) {
+  return name_of<SsaoSettings::Quality>(ssao_quality_names, v);
+}
 
 template <class T>
 std::optional<T> value_of(NameTable<T> table, std::string_view name) {
@@ -63,7 +85,8 @@ std::optional<T> value_of(NameTable<T> table, std::string_view name) {
   return std::nullopt;
 }
 
-/// The candidate nearest to `word` by edit distance, or "" if none is near (more than half its letters differ).
+/// The candidate nearest to `word` by edit distance, or "" if none is near (more than half its letters
+/// differ).
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
 
 /// ", did you mean 'exponent'?", or "".

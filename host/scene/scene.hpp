@@ -64,18 +64,20 @@ struct Effect {
   std::string name;  ///< EXR layer; empty: the default layer (R, G, B)
   Sampling sampling = Sampling::cosine;
   DistanceLimit max_distance;
-  float exponent = 30;              ///< RO: Phong exponent, 0 to 1e7
+  float exponent = 30;                ///< RO: Phong exponent, 0 to 1e7
   bool exponent_of_material = false;  ///< RO: use the MTL's Ns
   Falloff falloff = Falloff::none;
-  float min_distance = 0;           ///< world units; nearer surfaces do not occlude
-  float cone_angle = 90;            ///< AO, bent: half-angle of the cone about the normal, degrees, in (0, 90]
+  float min_distance = 0;  ///< world units; nearer surfaces do not occlude
+  float cone_angle = 90;   ///< AO, bent: half-angle of the cone about the normal, degrees, in (0, 90]
   Side side = Side::normal;
-  bool view_space = false;          ///< bent: along the camera's right, up and back axes instead of the world's
+  bool view_space = false;  ///< bent: along the camera's right, up and back axes instead of the world's
   SsaoSettings ssao;
 };
 
 /// Effects that trace occlusion rays.
-inline bool is_traced(EffectKind kind) { return kind == EffectKind::ao || kind == EffectKind::ro || kind == EffectKind::bent; }
+inline bool is_traced(EffectKind kind) {
+  return kind == EffectKind::ao || kind == EffectKind::ro || kind == EffectKind::bent;
+}
 
 /// A copy of a mesh file: p -> translate + Rz Ry Rx scale p.
 struct Instance {
@@ -88,26 +90,26 @@ struct Instance {
 /// A large square below everything.
 struct Ground {
   std::optional<float> height;  ///< y, world units; unset: the lowest point of the mesh
-  std::optional<float> reach;   ///< from the mesh's center to each side, world units; unset: 20 bounding radii
+  std::optional<float> reach;  ///< from the mesh's center to each side, world units; unset: 20 bounding radii
 };
 
 /// What a scene file says, checked and complete; nothing is derived yet (see render/plan.hpp).
 struct Scene {
-  std::filesystem::path file;                  ///< as the user named it; for messages
-  std::filesystem::path mesh_file;             ///< resolved against the scene file's folder
-  std::vector<Instance> instances;             ///< if any, they are the scene, and mesh_file is the first one's
+  std::filesystem::path file;       ///< as the user named it; for messages
+  std::filesystem::path mesh_file;  ///< resolved against the scene file's folder
+  std::vector<Instance> instances;  ///< if any, they are the scene, and mesh_file is the first one's
   std::optional<Ground> ground;
   Camera camera;
-  bool automatic_camera = false;               ///< frame the mesh (a bare OBJ)
-  int width = 768, height = 576;               ///< pixels
+  bool automatic_camera = false;  ///< frame the mesh (a bare OBJ)
+  int width = 768, height = 576;  ///< pixels
   std::optional<PixelRect> crop;
   bool realtime = false;
-  std::vector<Effect> effects;                 ///< at least one
-  std::uint32_t spp = 1;                       ///< camera rays a pixel
-  std::uint32_t directions = 1;                ///< occlusion rays per camera ray
+  std::vector<Effect> effects;   ///< at least one
+  std::uint32_t spp = 1;         ///< camera rays a pixel
+  std::uint32_t directions = 1;  ///< occlusion rays per camera ray
   Sampler sampler = Sampler::sobol;
   std::uint32_t seed = 0;
-  bool compat_tinyrender = false;              ///< automatic AO limit 1.5, as the course's images have
+  bool compat_tinyrender = false;  ///< automatic AO limit 1.5, as the course's images have
 };
 
 }  // namespace nook

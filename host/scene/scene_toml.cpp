@@ -65,15 +65,18 @@ void read_film(TomlTable& film, Scene& scene) {
 toml::table parse(const std::filesystem::path& path) {
   std::error_code code;
   const auto status = std::filesystem::status(path, code);
-  if (!std::filesystem::exists(status)) throw Error(ExitCode::scene, fmt::format("{}: no such file", path.string()));
-  if (!std::filesystem::is_regular_file(status)) throw Error(ExitCode::scene, fmt::format("{}: not a regular file", path.string()));
+  if (!std::filesystem::exists(status))
+    throw Error(ExitCode::scene, fmt::format("{}: no such file", path.string()));
+  if (!std::filesystem::is_regular_file(status))
+    throw Error(ExitCode::scene, fmt::format("{}: not a regular file", path.string()));
   constexpr std::uintmax_t largest = 16u << 20;
   if (std::filesystem::file_size(path, code) > largest)
     throw Error(ExitCode::scene, fmt::format("{}: too large for a scene file (over 16 MiB)", path.string()));
   try {
     return toml::parse_file(path.string());
   } catch (const toml::parse_error& e) {
-    if (e.source().begin.line == 0) throw Error(ExitCode::scene, fmt::format("{}: {}", path.string(), e.description()));
+    if (e.source().begin.line == 0)
+      throw Error(ExitCode::scene, fmt::format("{}: {}", path.string(), e.description()));
     fail_at(path.string(), e.source(), std::string(e.description()));
   }
 }
@@ -86,15 +89,18 @@ Scene load_scene(const std::filesystem::path& path) {
   TomlTable top(file, "the scene", &root);
   auto table = [&](const char* key) {
     const toml::node* node = top.find(key);
-    if (node && !node->is_table()) fail_at(file, node->source(), fmt::format("{} must be a table: [{}]", key, key));
+    if (node && !node->is_table())
+      fail_at(file, node->source(), fmt::format("{} must be a table: [{}]", key, key));
     return TomlTable(file, fmt::format("[{}]", key), node ? node->as_table() : nullptr);
   };
-  TomlTable input = table("input"), camera = table("camera"), film = table("film"), renderer = table("renderer"), ground = table("ground");
+  TomlTable input = table("input"), camera = table("camera"), film = table("film"),
+            renderer = table("renderer"), ground = table("ground");
 
   Scene scene;
   scene.file = path;
   read_input(input, ground, top.find("instance"), scene);
-  scene.camera.fov = float(camera.number("fov", scene.camera.fov, 0, 180, "an angle above 0 and below 180 degrees", true));
+  scene.camera.fov =
+      float(camera.number("fov", scene.camera.fov, 0, 180, "an angle above 0 and below 180 degrees", true));
   scene.camera.eye = camera.point("eye", scene.camera.eye);
   scene.camera.at = camera.point("at", scene.camera.at);
   scene.camera.up = camera.point("up", scene.camera.up);
@@ -119,16 +125,19 @@ void validate(const Scene& scene) {
   const std::string file = scene.file.string();
   const dvec3 view = dvec3(scene.camera.at) - dvec3(scene.camera.eye), up(scene.camera.up);
   if (!scene.automatic_camera) {
-    if (glm::length(view) == 0) throw Error(ExitCode::scene, fmt::format("{}: the camera's eye and at are the same point", file));
+    if (glm::length(view) == 0)
+      throw Error(ExitCode::scene, fmt::format("{}: the camera's eye and at are the same point", file));
     if (glm::length(up) == 0) throw Error(ExitCode::scene, fmt::format("{}: the camera's up is zero", file));
     if (glm::length(glm::cross(glm::normalize(view), glm::normalize(up))) < 1e-6)
-      throw Error(ExitCode::scene, fmt::format("{}: the camera's up is parallel to its view direction", file));
+      throw Error(ExitCode::scene,
+                  fmt::format("{}: the camera's up is parallel to its view direction", file));
   }
   if (scene.crop) {
     const PixelRect& c = *scene.crop;
     if (c.x0 < 0 || c.y0 < 0 || c.x0 >= c.x1 || c.y0 >= c.y1 || c.x1 > scene.width || c.y1 > scene.height)
-      throw Error(ExitCode::scene, fmt::format("{}: the crop {},{},{},{} (x0,x1,y0,y1) is empty or outside the {}x{} film", file, c.x0,
-                                               c.x1, c.y0, c.y1, scene.width, scene.height));
+      throw Error(ExitCode::scene,
+                  fmt::format("{}: the crop {},{},{},{} (x0,x1,y0,y1) is empty or outside the {}x{} film",
+                              file, c.x0, c.x1, c.y0, c.y1, scene.width, scene.height));
   }
 }
 

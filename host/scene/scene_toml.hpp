@@ -7,15 +7,15 @@
 namespace nook {
 
 /// Reads a scene file: TinyRender's TOML and nook's additions (docs/scene-format.md).
-/// Throws Error(scene) with one line "<file>:<row>:<column>: ..." for a syntax error, an unknown table, key or value (with
-/// the nearest known one), a wrong type, or a value out of its range.
+/// Throws Error(scene) with one line "<file>:<row>:<column>: ..." for a syntax error, an unknown table, key
+/// or value (with the nearest known one), a wrong type, or a value out of its range.
 Scene load_scene(const std::filesystem::path& path);
 
 /// A scene for a bare mesh: automatic camera, AO with 16 camera rays a pixel.
 Scene scene_of_mesh(const std::filesystem::path& mesh_file);
 
-/// Checks what several keys decide together, after command-line overrides: eye = at, up parallel to the view, crop outside the film.
-/// Throws Error(scene).
+/// Checks what several keys decide together, after command-line overrides: eye = at, up parallel to the view,
+/// crop outside the film. Throws Error(scene).
 void validate(const Scene& scene);
 
 }  // namespace nook

@@ -12,7 +12,8 @@ namespace nook {
 void fail_at(const std::string& file, const toml::source_region& where, const std::string& message) {
   // Messages quote the file's words, which may hold line breaks, or be long.
   std::string line = message.substr(0, 400);
-  std::replace_if(line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
   throw Error(ExitCode::scene, fmt::format("{}:{}:{}: {}", file, where.begin.line, where.begin.column, line));
 }
 
@@ -23,13 +24,15 @@ bool TomlTable::boolean(std::string_view key, bool value) {
   return **node->as_boolean();
 }
 
-double TomlTable::number(std::string_view key, double value, double lo, double hi, const char* what, bool open) {
+double TomlTable::number(std::string_view key, double value, double lo, double hi, const char* what,
+                         bool open) {
   const toml::node* node = find(key);
   if (!node) return value;
   const auto found = node->is_number() ? node->value<double>() : std::nullopt;
   // As a float, which is what it becomes: 179.9999999 is 180 then.
   const double rounded = found ? double(float(*found)) : 0;
-  if (!found || !std::isfinite(rounded) || *found < lo || *found > hi || (open && (rounded <= lo || rounded >= hi)))
+  if (!found || !std::isfinite(rounded) || *found < lo || *found > hi ||
+      (open && (rounded <= lo || rounded >= hi)))
     wrong(*node, key, what);
   return *found;
 }
@@ -38,7 +41,8 @@ std::int64_t TomlTable::integer(std::string_view key, std::int64_t value, std::i
   const toml::node* node = find(key);
   if (!node) return value;
   const toml::value<std::int64_t>* found = node->as_integer();
-  if (!found || **found < lo || **found > hi) wrong(*node, key, fmt::format("an integer from {} to {}", lo, hi));
+  if (!found || **found < lo || **found > hi)
+    wrong(*node, key, fmt::format("an integer from {} to {}", lo, hi));
   return **found;
 }
 
@@ -67,8 +71,11 @@ DistanceLimit TomlTable::distance(std::string_view key, DistanceLimit value) {
   const toml::node* node = find(key);
   if (!node) return value;
   if (node->is_string()) {
-    if (const auto limit = parse_distance_limit(**node->as_string()); limit && limit->kind != DistanceLimit::Kind::value) return *limit;
-  } else if (const auto found = node->is_number() ? node->value<double>() : std::nullopt; found && *found >= 0 && std::isfinite(float(*found))) {
+    if (const auto limit = parse_distance_limit(**node->as_string());
+        limit && limit->kind != DistanceLimit::Kind::value)
+      return *limit;
+  } else if (const auto found = node->is_number() ? node->value<double>() : std::nullopt;
+             found && *found >= 0 && std::isfinite(float(*found))) {
     return {DistanceLimit::Kind::value, float(*found)};
   }
   wrong(*node, key, "\"auto\", \"none\" or a distance of at least 0");
@@ -78,7 +85,8 @@ void TomlTable::finish() const {
   if (!table_) return;
   for (const auto& [key, node] : *table_) {
     if (std::find(asked_.begin(), asked_.end(), key.str()) != asked_.end()) continue;
-    fail_at(file_, key.source(), fmt::format("unknown key '{}' in {}{}", key.str(), title_, suggestion(key.str(), asked_)));
+    fail_at(file_, key.source(),
+            fmt::format("unknown key '{}' in {}{}", key.str(), title_, suggestion(key.str(), asked_)));
   }
 }
 

@@ -14,7 +14,8 @@
 namespace nook {
 
 /// Throws Error(scene) "<file>:<row>:<column>: <message>".
-[[noreturn]] void fail_at(const std::string& file, const toml::source_region& where, const std::string& message);
+[[noreturn]] void fail_at(const std::string& file, const toml::source_region& where,
+                          const std::string& message);
 
 /// One TOML table whose every key must be asked for: finish() rejects those that nobody did.
 /// Without the table, every key has its default.
@@ -31,7 +32,8 @@ class TomlTable {
 
   bool boolean(std::string_view key, bool value);
   /// In [lo, hi], or in (lo, hi) if `open`; `what` describes the domain in the message.
-  double number(std::string_view key, double value, double lo, double hi, const char* what, bool open = false);
+  double number(std::string_view key, double value, double lo, double hi, const char* what,
+                bool open = false);
   std::int64_t integer(std::string_view key, std::int64_t value, std::int64_t lo, std::int64_t hi);
   std::string text(std::string_view key, std::string value);
   vec3 point(std::string_view key, vec3 value);

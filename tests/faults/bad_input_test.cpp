@@ -1,5 +1,5 @@
-// Bad input, row by row, as in the table of docs/hard-cases.md: each gives one clear line and its exit code, leaves no file behind
-// and no hang.
+// Bad input, row by row, as in the table of docs/hard-cases.md: each gives one clear line and its exit code,
+// leaves no file behind and no hang.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -15,7 +15,8 @@ namespace {
 
 std::set<std::string> files_in(const std::filesystem::path& folder) {
   std::set<std::string> names;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) names.insert(entry.path().string());
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    names.insert(entry.path().string());
   return names;
 }
 
@@ -52,7 +53,8 @@ TEST_P(BadInputTest, OneLineAndItsExitCode) {
   setting.arguments = words(row.command);
   const ProgramResult result = run_program(NOOK_PROGRAM, setting);
   EXPECT_EQ(result.code, row.code) << result.err;
-  EXPECT_NE(result.err.find(row.says), std::string::npos) << "'" << row.says << "' is missing in: " << result.err;
+  EXPECT_NE(result.err.find(row.says), std::string::npos)
+      << "'" << row.says << "' is missing in: " << result.err;
   EXPECT_TRUE(result.err.starts_with("nook: ")) << result.err;
   EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
   EXPECT_LT(result.err.size(), 1200u) << result.err;
@@ -62,7 +64,8 @@ TEST_P(BadInputTest, OneLineAndItsExitCode) {
 
 std::string test_name(const testing::TestParamInfo<BadInput>& info) {
   std::string name = info.param.name;
-  std::replace_if(name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
   return name;
 }
 
@@ -71,7 +74,8 @@ INSTANTIATE_TEST_SUITE_P(Rows, BadInputTest, testing::ValuesIn(bad_input_rows())
 TEST(BadInputTable, EveryRowIsInTheDocs) {
   const std::string docs = read_bytes(std::string(NOOK_SOURCE_DIR) + "/docs/hard-cases.md");
   for (const BadInput& row : bad_input_rows())
-    EXPECT_NE(docs.find("| " + std::string(row.name) + " |"), std::string::npos) << row.name << " is not in docs/hard-cases.md";
+    EXPECT_NE(docs.find("| " + std::string(row.name) + " |"), std::string::npos)
+        << row.name << " is not in docs/hard-cases.md";
 }
 
 }  // namespace

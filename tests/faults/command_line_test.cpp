@@ -1,5 +1,5 @@
-// Random command lines, seeded: whatever is asked, the program ends with one of its documented codes, and says a line where that is
-// not 0.
+// Random command lines, seeded: whatever is asked, the program ends with one of its documented codes, and
+// says a line where that is not 0.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,12 +16,73 @@ TEST(CommandLine, RandomWordsEndInDocumentedCodes) {
   TemporaryFolder folder;
   write_small_scene(folder.path());
   write_bytes(folder / "points.csv", "0,0,0,0,0,1\n");
-  const std::vector<std::string> commands = {"render", "probe", "info", "merge", "compare", "devices", "plan"};
-  const std::vector<std::string> more = {
-      "scene.toml", "mesh.obj", "points.csv", "none", "", "-", "--", "-o", "o.exr", "--spp", "2", "0", "-1", "1e9", "nan", "99999999999999999999", "--size", "4x4", "0x0",
-      "--crop", "0,2,0,2", "1,,2", "--sampling", "cosine", "lobe", "--sampler", "sobol", "--max-distance", "none", "inf", "--exponent", "--seed", "--device", "cpu", "9:9",
-      "--threads", "--aov", "normal,depth", "--progress", "json", "--checkpoint", "c.nook", "--every", "--resume", "--shard", "1/2", "3/2", "--points", "--effect", "ro",
-      "--samples", "--status", "--partial", "--quiet", "--print-config", "--help", "--version", "--no-png", "--stats", "s.json", "\xff\xfe", "%s%n", "=", "--spp=3", "-o=x"};
+  const std::vector<std::string> commands = {"render",  "probe",   "info", "merge",
+                                             "compare", "devices", "plan"};
+  const std::vector<std::string> more = {"scene.toml",
+                                         "mesh.obj",
+                                         "points.csv",
+                                         "none",
+                                         "",
+                                         "-",
+                                         "--",
+                                         "-o",
+                                         "o.exr",
+                                         "--spp",
+                                         "2",
+                                         "0",
+                                         "-1",
+                                         "1e9",
+                                         "nan",
+                                         "99999999999999999999",
+                                         "--size",
+                                         "4x4",
+                                         "0x0",
+                                         "--crop",
+                                         "0,2,0,2",
+                                         "1,,2",
+                                         "--sampling",
+                                         "cosine",
+                                         "lobe",
+                                         "--sampler",
+                                         "sobol",
+                                         "--max-distance",
+                                         "none",
+                                         "inf",
+                                         "--exponent",
+                                         "--seed",
+                                         "--device",
+                                         "cpu",
+                                         "9:9",
+                                         "--threads",
+                                         "--aov",
+                                         "normal,depth",
+                                         "--progress",
+                                         "json",
+                                         "--checkpoint",
+                                         "c.nook",
+                                         "--every",
+                                         "--resume",
+                                         "--shard",
+                                         "1/2",
+                                         "3/2",
+                                         "--points",
+                                         "--effect",
+                                         "ro",
+                                         "--samples",
+                                         "--status",
+                                         "--partial",
+                                         "--quiet",
+                                         "--print-config",
+                                         "--help",
+                                         "--version",
+                                         "--no-png",
+                                         "--stats",
+                                         "s.json",
+                                         "\xff\xfe",
+                                         "%s%n",
+                                         "=",
+                                         "--spp=3",
+                                         "-o=x"};
   std::mt19937 random(3);
   const std::set<int> documented = {0, 1, 2, 3, 4, 5, 6};
   for (int round = 0; round < 120; ++round) {
@@ -37,7 +98,8 @@ TEST(CommandLine, RandomWordsEndInDocumentedCodes) {
     // 1 is a defect, but for compare, where it is a warning.
     if (setting.arguments[0] != "compare") EXPECT_NE(result.code, 1) << line << ": " << result.err;
     if (result.code > 1 && result.code != 5 && setting.arguments[0] != "compare")
-      EXPECT_TRUE(result.err.find("nook: ") != std::string::npos && result.err.back() == '\n') << line << ": " << result.err;
+      EXPECT_TRUE(result.err.find("nook: ") != std::string::npos && result.err.back() == '\n')
+          << line << ": " << result.err;
   }
 }
 

@@ -36,7 +36,8 @@ class KernelCache : public testing::Test {
 TEST_F(KernelCache, DamagedEntriesAreRebuilt) {
   const std::vector<float> first = render("first.exr");
   std::vector<std::filesystem::path> entries;
-  for (const auto& entry : std::filesystem::directory_iterator(folder / "cache")) entries.push_back(entry.path());
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "cache"))
+    entries.push_back(entry.path());
   ASSERT_FALSE(entries.empty());
   const auto spoil_all = [&](auto spoil) {
     for (const auto& file : entries) {
@@ -51,7 +52,9 @@ TEST_F(KernelCache, DamagedEntriesAreRebuilt) {
   EXPECT_EQ(render("cut.exr"), first);
   spoil_all([](std::string& bytes) { bytes.clear(); });
   EXPECT_EQ(render("empty.exr"), first);
-  spoil_all([](std::string& bytes) { bytes[8] = bytes[9] = bytes[10] = bytes[11] = bytes[12] = '\x7f'; });  // its length
+  spoil_all([](std::string& bytes) {
+    bytes[8] = bytes[9] = bytes[10] = bytes[11] = bytes[12] = '\x7f';
+  });  // its length
   EXPECT_EQ(render("long.exr"), first);
 }
 

@@ -48,7 +48,8 @@ class NothingLost : public testing::Test {
     for (const Channel& channel : x.channels) {
       const Channel* other = y.find(channel.name);
       ASSERT_TRUE(other) << channel.name;
-      EXPECT_TRUE(channel.values == other->values) << channel.name << " differs between " << a << " and " << b;
+      EXPECT_TRUE(channel.values == other->values)
+          << channel.name << " differs between " << a << " and " << b;
     }
     for (const auto& [name, value] : x.metadata)
       if (!name.starts_with("nook/seconds")) EXPECT_EQ(y.metadata.at(name), value) << name;
@@ -57,12 +58,14 @@ class NothingLost : public testing::Test {
   TemporaryFolder folder;
 };
 
-const std::string all_aovs = " --aov normal,position,depth,variance,samples,alpha --size 64x48 --spp 96 --directions 8";
+const std::string all_aovs =
+    " --aov normal,position,depth,variance,samples,alpha --size 64x48 --spp 96 --directions 8";
 
 // 96 samples in shards of thirds; a shard of shards; tiles; every order.
 TEST_F(NothingLost, ShardsJoinInAnyOrderAndGrouping) {
   succeed("render scene.toml --no-png -o one.exr" + all_aovs);
-  for (const char* shard : {"1/3", "2/3", "3/3"}) succeed(std::string("render scene.toml -o p") + shard[0] + ".nook --shard " + shard + all_aovs);
+  for (const char* shard : {"1/3", "2/3", "3/3"})
+    succeed(std::string("render scene.toml -o p") + shard[0] + ".nook --shard " + shard + all_aovs);
   succeed("merge p3.nook p1.nook p2.nook -o flat.exr");
   expect_same_picture("one.exr", "flat.exr");
   succeed("merge p3.nook p1.nook -o p13.nook");
@@ -75,7 +78,8 @@ TEST_F(NothingLost, ShardsOfPixelsWhereSamplesAreFew) {
   succeed("render scene.toml --no-png -o one.exr" + options);
   std::string parts;
   for (int i = 1; i <= 5; ++i) {
-    succeed("render scene.toml -o p" + std::to_string(i) + ".nook --shard " + std::to_string(i) + "/5" + options);
+    succeed("render scene.toml -o p" + std::to_string(i) + ".nook --shard " + std::to_string(i) + "/5" +
+            options);
     parts = " p" + std::to_string(i) + ".nook" + parts;
   }
   succeed("merge" + parts + " -o merged.exr");
@@ -86,7 +90,8 @@ TEST_F(NothingLost, ShardsOfPixelsWhereSamplesAreFew) {
 TEST_F(NothingLost, ShardsOfDirections) {
   const std::string options = " --size 32x24 --spp 1 --directions 10000 --aov variance,samples,alpha";
   succeed("render scene.toml --no-png -o one.exr" + options);
-  for (const char* shard : {"1/3", "2/3", "3/3"}) succeed(std::string("render scene.toml -o p") + shard[0] + ".nook --shard " + shard + options);
+  for (const char* shard : {"1/3", "2/3", "3/3"})
+    succeed(std::string("render scene.toml -o p") + shard[0] + ".nook --shard " + shard + options);
   succeed("merge p2.nook p3.nook p1.nook -o merged.exr");
   expect_same_picture("one.exr", "merged.exr");
 }
@@ -95,7 +100,10 @@ TEST_F(NothingLost, SlurmArrayTasksAreShards) {
   succeed("render scene.toml --no-png -o one.exr --spp 8");
   for (const char* id : {"10", "12", "14"}) {
     ProgramSetting task = setting(std::string("render scene.toml --spp 8 --shard slurm -o t") + id + ".nook");
-    task.environment = {{"SLURM_ARRAY_TASK_ID", id}, {"SLURM_ARRAY_TASK_COUNT", "3"}, {"SLURM_ARRAY_TASK_MIN", "10"}, {"SLURM_ARRAY_TASK_STEP", "2"}};
+    task.environment = {{"SLURM_ARRAY_TASK_ID", id},
+                        {"SLURM_ARRAY_TASK_COUNT", "3"},
+                        {"SLURM_ARRAY_TASK_MIN", "10"},
+                        {"SLURM_ARRAY_TASK_STEP", "2"}};
     const ProgramResult result = run_program(NOOK_PROGRAM, task);
     ASSERT_EQ(result.code, 0) << result.err;
   }
@@ -109,12 +117,15 @@ TEST_F(NothingLost, StatusSaysWhatIsMissing) {
   const ProgramResult status = run("merge a.nook b.nook --status");
   EXPECT_EQ(status.code, 5);
   EXPECT_NE(status.out.find("a.nook: 25.00 %: samples 0-0 of 48 pixels"), std::string::npos) << status.out;
-  EXPECT_NE(status.out.find("missing: 50.00 %: samples 1-1 of 48 pixels, samples 3-3 of 48 pixels"), std::string::npos) << status.out;
+  EXPECT_NE(status.out.find("missing: 50.00 %: samples 1-1 of 48 pixels, samples 3-3 of 48 pixels"),
+            std::string::npos)
+      << status.out;
   succeed("merge a.nook b.nook --partial -o partial.exr");
 }
 
 // About a second of work on two cores.
-const std::string long_render = "render scene.toml --no-png --size 128x96 --spp 256 --directions 8 --aov normal,variance";
+const std::string long_render =
+    "render scene.toml --no-png --size 128x96 --spp 256 --directions 8 --aov normal,variance";
 
 TEST_F(NothingLost, SignalsFlushAndResumeGivesTheSameBits) {
   succeed(long_render + " -o one.exr");
@@ -132,13 +143,15 @@ TEST_F(NothingLost, SignalsFlushAndResumeGivesTheSameBits) {
   expect_same_picture("one.exr", "resumed.exr");
 }
 
-// Parts that are killed at random moments, and started again until they are done, by processes that run at once.
+// Parts that are killed at random moments, and started again until they are done, by processes that run at
+// once.
 TEST_F(NothingLost, KillsAtRandomMoments) {
   const char* asked = std::getenv("NOOK_KILLS");
   const int kills = asked ? std::atoi(asked) : 10;
   succeed(long_render + " -o one.exr");
   const auto part = [&](int i) {
-    return long_render + " --shard " + std::to_string(i) + "/2 -o k" + std::to_string(i) + ".nook --every 0 --resume";
+    return long_render + " --shard " + std::to_string(i) + "/2 -o k" + std::to_string(i) +
+           ".nook --every 0 --resume";
   };
   std::minstd_rand random(7);
   std::unique_ptr<RunningProgram> running[2];
@@ -187,7 +200,10 @@ TEST_F(NothingLost, OutputFolderRemovedWhileRunning) {
 }
 
 TEST_F(NothingLost, NamesWithBlanksUtf8AndLength) {
-  const std::string name = "Gr\xc3\xb6\xc3\x9f" "e \xe2\x88\x9e " + std::string(200, 'n');
+  const std::string name =
+      "Gr\xc3\xb6\xc3\x9f"
+      "e \xe2\x88\x9e " +
+      std::string(200, 'n');
   std::filesystem::rename(folder / "mesh.obj", folder / (name + ".obj"));
   write_bytes(folder / (name + ".toml"), with(small_scene, "mesh.obj", name + ".obj"));
   ProgramSetting made = setting("render");

@@ -1,9 +1,9 @@
-// nook_fuzz TARGET|all SECONDS [SEED [CORPUS]]: mutated inputs to a reader, without a fuzzing engine; inputs of CORPUS/TARGET/* are
-// seeds too. An input that brings the reader down is left in nook_fuzz.TARGET.input.
+// nook_fuzz TARGET|all SECONDS [SEED [CORPUS]]: mutated inputs to a reader, without a fuzzing engine; inputs
+// of CORPUS/TARGET/* are seeds too. An input that brings the reader down is left in nook_fuzz.TARGET.input.
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <chrono>
 #include <exception>
 #include <fstream>
 
@@ -14,12 +14,16 @@ namespace {
 
 using namespace nook::fuzz;
 
-double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+double seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 // What the reader is given, for the handler of a crash.
 std::string kept, under_test;
 
-void keep_input() { nook::test::write_bytes(kept, under_test); }
+void keep_input() {
+  nook::test::write_bytes(kept, under_test);
+}
 
 void on_crash(int number) {
   std::signal(number, SIG_DFL);
@@ -30,7 +34,8 @@ void on_crash(int number) {
 bool fuzz(Target target, double limit, unsigned seed, const std::filesystem::path& corpus) {
   std::error_code none;
   if (!corpus.empty())
-    for (const auto& entry : std::filesystem::directory_iterator(corpus / target.name, none)) target.seeds.push_back(nook::test::read_bytes(entry.path()));
+    for (const auto& entry : std::filesystem::directory_iterator(corpus / target.name, none))
+      target.seeds.push_back(nook::test::read_bytes(entry.path()));
   std::mt19937 random(seed);
   kept = std::string("nook_fuzz.") + target.name + ".input";
   std::vector<std::string> pool = target.seeds;
@@ -38,7 +43,8 @@ bool fuzz(Target target, double limit, unsigned seed, const std::filesystem::pat
   double slowest = 0;
   for (const double end = seconds() + limit; seconds() < end; ++runs) {
     const bool as_is = runs < pool.size();
-    const std::string& input = under_test = as_is ? pool[runs] : mutate(pool[random() % pool.size()], target, random);
+    const std::string& input = under_test =
+        as_is ? pool[runs] : mutate(pool[random() % pool.size()], target, random);
     const double start = seconds();
     try {
       run_once(target, input);
@@ -50,11 +56,14 @@ bool fuzz(Target target, double limit, unsigned seed, const std::filesystem::pat
     slowest = std::max(slowest, seconds() - start);
     if (slowest > 20) {
       keep_input();
-      std::printf("%s: FAILED after %llu inputs: %.1f s (see %s)\n", target.name, runs, slowest, kept.c_str());
+      std::printf("%s: FAILED after %llu inputs: %.1f s (see %s)\n", target.name, runs, slowest,
+                  kept.c_str());
       return false;
     }
     // A mutant now and then becomes a parent, so that changes add up.
-    if (!as_is && random() % 64 == 0) pool[target.seeds.size() > 64 || pool.size() > 256 ? random() % pool.size() : (pool.push_back(""), pool.size() - 1)] = input;
+    if (!as_is && random() % 64 == 0)
+      pool[target.seeds.size() > 64 || pool.size() > 256 ? random() % pool.size()
+                                                         : (pool.push_back(""), pool.size() - 1)] = input;
   }
   std::printf("%s: %llu inputs, slowest %.3f s\n", target.name, runs, slowest);
   return true;

@@ -1,4 +1,5 @@
-// The same targets under clang's libFuzzer: NOOK_FUZZ_TARGET names one. Also what AFL++ drives, through its libFuzzer driver.
+// The same targets under clang's libFuzzer: NOOK_FUZZ_TARGET names one. Also what AFL++ drives, through its
+// libFuzzer driver.
 #include <cstdint>
 #include <stdexcept>
 

@@ -16,7 +16,9 @@
 namespace nook::fuzz {
 namespace {
 
-void read_scene(const std::string& path) { validate(load_scene(path)); }
+void read_scene(const std::string& path) {
+  validate(load_scene(path));
+}
 
 void read_mesh(const std::string& path) {
   const TriangleMesh mesh = load_obj(path, {.normals = true, .uvs = true, .materials = true, .groups = true});
@@ -27,7 +29,8 @@ void read_mesh(const std::string& path) {
       if (index >= mesh.positions.size()) throw std::logic_error("a position index out of range got through");
   for (const auto& triangle : mesh.triangle_normals)
     for (const std::uint32_t index : triangle)
-      if (index != TriangleMesh::no_normal && index >= mesh.normals.size()) throw std::logic_error("a normal index out of range got through");
+      if (index != TriangleMesh::no_normal && index >= mesh.normals.size())
+        throw std::logic_error("a normal index out of range got through");
 }
 
 void read_materials(const std::string& path) {
@@ -36,7 +39,9 @@ void read_materials(const std::string& path) {
   read_mesh(mesh);
 }
 
-void read_points(const std::string& path) { load_points(path, true, Bounds3{vec3(-1), vec3(1)}); }
+void read_points(const std::string& path) {
+  load_points(path, true, Bounds3{vec3(-1), vec3(1)});
+}
 
 void read_part(const std::string& path) {
   FilmPart part = read_film_part(path);
@@ -45,7 +50,9 @@ void read_part(const std::string& path) {
   join_film_part(again, "a", part, "b");
 }
 
-void read_image(const std::string& path) { read_exr(path); }
+void read_image(const std::string& path) {
+  read_exr(path);
+}
 
 // The bytes of a file as its writer makes it.
 template <class Write>
@@ -81,22 +88,50 @@ std::string seed_image() {
 
 std::vector<Target> make_targets() {
   return {
-      {"scene", "input.toml", read_scene,
-       {"[input]\nobjfile = \"a.obj\"\n[camera]\neye = [0, 1, 2.5]\nat = [0, 0, 0]\nup = [0, 1, 0]\nfov = 30.0\n[film]\nwidth = 80\nheight = 60\n"
-        "crop = [0, 4, 0, 4]\n[renderer]\nrealtime = false\ntype = \"ro\"\nspp = 16\nexponent = 300.0\nmax_distance = \"auto\"\nsampler = \"sobol\"\n",
-        "[input]\nobjfile = 'a.obj'\n[renderer]\nrealtime = true\ntype = \"ssao\"\nradius = 0.15\n", "input = { objfile = \"\"\"a\"\"\" }\n"},
-       {"[input]", "[renderer]", "[[effect]]", "objfile", "= ", "nan", "inf", "-1", "1e400", "\"\"\"", "[[", "{", "}", "0x7fffffffffffffff", "1979-05-27T07:32:00Z", "exponent", "material", "\\u00e9"}},
-      {"mesh", "input.obj", read_mesh,
-       {"# a\nmtllib none.mtl\no a\ng b c\nusemtl m\ns 1\nv 0 0 0\nv 1 0 0 1 1 1\nv 0 1 0\nv 1 1 1e3\nvt 0 0\nvt 1 1\nvn 0 0 1\nf 1/1/1 2/2/1 3//1\nf -1 -2 -3 -4\nl 1 2\n",
-        "v nan 0 0\nv inf 1 1\nv 1 2 3\nvn 0 0 0\nf 1 2 3\n", "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3 \\\r\n"},
-       {"v ", "vn ", "vt ", "f ", "l ", "p ", "usemtl ", "mtllib ", "//", "/", "-", "1000000000", "2147483648", "4294967297", "nan", "inf", "1e999", "\\\n", "g ", "o ", "t ", "vw ", "#"}},
-      {"materials", "input.mtl", read_materials,
-       {"newmtl a\nKd 1 0 0\nNs 30\nmap_d -bm 1 a.png\nd 0.5\nTr 0.1\nillum 2\n", "newmtl a\nnewmtl a\nNs nan\n"},
-       {"newmtl ", "Ns ", "map_d ", "map_Kd ", "-mm ", "-o ", "-type ", "Kd ", "1e999", "nan", "refl ", "norm ", "Pr ", "aniso "}},
-      {"points", "input.csv", read_points,
-       {"px,py,pz,nx,ny,nz,vx,vy,vz\n0,0,0,0,0,1,0,0,1\n# a\n\n1 2 3 0 1 0 1 0 0\n", "0,0,0,0,0,1\n"}, {"nan", "inf", "1e39", "-0", ",,", "#", "\r\n", "\t", "+", "1e-400"}},
-      {"part", "input.nook", read_part, {seed_part(false), seed_part(true)}, {"nookpart", "\"width\":", "65535", "4294967295", "null", "[]", "{}", "-1"}},
-      {"image", "input.exr", read_image, {seed_image()}, {"channels", "dataWindow", "compression", "tiledesc", "float", std::string(4, '\xff'), std::string(4, '\0'), "\x7f"}},
+      {"scene",
+       "input.toml",
+       read_scene,
+       {"[input]\nobjfile = \"a.obj\"\n[camera]\neye = [0, 1, 2.5]\nat = [0, 0, 0]\nup = [0, 1, 0]\nfov = "
+        "30.0\n[film]\nwidth = 80\nheight = 60\n"
+        "crop = [0, 4, 0, 4]\n[renderer]\nrealtime = false\ntype = \"ro\"\nspp = 16\nexponent = "
+        "300.0\nmax_distance = \"auto\"\nsampler = \"sobol\"\n",
+        "[input]\nobjfile = 'a.obj'\n[renderer]\nrealtime = true\ntype = \"ssao\"\nradius = 0.15\n",
+        "input = { objfile = \"\"\"a\"\"\" }\n"},
+       {"[input]", "[renderer]", "[[effect]]", "objfile", "= ", "nan", "inf", "-1", "1e400", "\"\"\"", "[[",
+        "{", "}", "0x7fffffffffffffff", "1979-05-27T07:32:00Z", "exponent", "material", "\\u00e9"}},
+      {"mesh",
+       "input.obj",
+       read_mesh,
+       {"# a\nmtllib none.mtl\no a\ng b c\nusemtl m\ns 1\nv 0 0 0\nv 1 0 0 1 1 1\nv 0 1 0\nv 1 1 1e3\nvt 0 "
+        "0\nvt 1 1\nvn 0 0 1\nf 1/1/1 2/2/1 3//1\nf -1 -2 -3 -4\nl 1 2\n",
+        "v nan 0 0\nv inf 1 1\nv 1 2 3\nvn 0 0 0\nf 1 2 3\n",
+        "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3 \\\r\n"},
+       {"v ",    "vn ",  "vt ", "f ",         "l ",         "p ",         "usemtl ", "mtllib ",
+        "//",    "/",    "-",   "1000000000", "2147483648", "4294967297", "nan",     "inf",
+        "1e999", "\\\n", "g ",  "o ",         "t ",         "vw ",        "#"}},
+      {"materials",
+       "input.mtl",
+       read_materials,
+       {"newmtl a\nKd 1 0 0\nNs 30\nmap_d -bm 1 a.png\nd 0.5\nTr 0.1\nillum 2\n",
+        "newmtl a\nnewmtl a\nNs nan\n"},
+       {"newmtl ", "Ns ", "map_d ", "map_Kd ", "-mm ", "-o ", "-type ", "Kd ", "1e999", "nan", "refl ",
+        "norm ", "Pr ", "aniso "}},
+      {"points",
+       "input.csv",
+       read_points,
+       {"px,py,pz,nx,ny,nz,vx,vy,vz\n0,0,0,0,0,1,0,0,1\n# a\n\n1 2 3 0 1 0 1 0 0\n", "0,0,0,0,0,1\n"},
+       {"nan", "inf", "1e39", "-0", ",,", "#", "\r\n", "\t", "+", "1e-400"}},
+      {"part",
+       "input.nook",
+       read_part,
+       {seed_part(false), seed_part(true)},
+       {"nookpart", "\"width\":", "65535", "4294967295", "null", "[]", "{}", "-1"}},
+      {"image",
+       "input.exr",
+       read_image,
+       {seed_image()},
+       {"channels", "dataWindow", "compression", "tiledesc", "float", std::string(4, '\xff'),
+        std::string(4, '\0'), "\x7f"}},
   };
 }
 
@@ -116,7 +151,8 @@ void run_once(const Target& target, const std::string& input) {
   } catch (const Error& error) {
     const std::string message = error.what();
     if (error.code() != ExitCode::scene) throw std::logic_error("exit code of: " + message);
-    if (message.empty() || message.find('\n') != std::string::npos) throw std::logic_error("not one line: " + message);
+    if (message.empty() || message.find('\n') != std::string::npos)
+      throw std::logic_error("not one line: " + message);
     if (message.size() > 2000) throw std::logic_error("too long a line: " + message.substr(0, 200));
   }
 }

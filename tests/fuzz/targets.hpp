@@ -17,8 +17,8 @@ struct Target {
 
 const std::vector<Target>& targets();
 
-/// Gives `input` to the target as a file. What it may do is read it, or throw nook::Error with one line; anything else that it throws
-/// comes out.
+/// Gives `input` to the target as a file. What it may do is read it, or throw nook::Error with one line;
+/// anything else that it throws comes out.
 void run_once(const Target& target, const std::string& input);
 
 }  // namespace nook::fuzz

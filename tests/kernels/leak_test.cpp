@@ -1,5 +1,5 @@
-// A closed star of spikes, seen from inside: a ray that meets nothing leaked between two triangles. NOOK_LEAK_RAYS asks for more
-// rays than the million that a test has time for.
+// A closed star of spikes, seen from inside: a ray that meets nothing leaked between two triangles.
+// NOOK_LEAK_RAYS asks for more rays than the million that a test has time for.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,19 +13,23 @@
 namespace nook::testing {
 namespace {
 
-// Vertices at radius 1 and 0.35 in turn on a sphere of n x 2n facets: every point nearer than 0.3 to the centre sees every facet.
+// Vertices at radius 1 and 0.35 in turn on a sphere of n x 2n facets: every point nearer than 0.3 to the
+// centre sees every facet.
 TriangleMesh star(unsigned n) {
   TriangleMesh mesh;
   const auto add = [&](unsigned i, unsigned j) {
     const double theta = std::numbers::pi * i / n, phi = std::numbers::pi * j / n;
     const double radius = (i + j) % 2 ? 1.0 : 0.35;
-    mesh.positions.push_back(vec3(dvec3(std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi)) * radius));
+    mesh.positions.push_back(vec3(
+        dvec3(std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi)) * radius));
   };
   add(0, 0);
   add(n, 0);
   for (unsigned i = 1; i < n; ++i)
     for (unsigned j = 0; j < 2 * n; ++j) add(i, j);
-  const auto index = [&](unsigned i, unsigned j) { return i == 0 ? 0u : i == n ? 1u : 2 + (i - 1) * 2 * n + j % (2 * n); };
+  const auto index = [&](unsigned i, unsigned j) {
+    return i == 0 ? 0u : i == n ? 1u : 2 + (i - 1) * 2 * n + j % (2 * n);
+  };
   for (unsigned i = 0; i < n; ++i)
     for (unsigned j = 0; j < 2 * n; ++j) {
       if (i > 0) mesh.triangles.push_back({index(i, j), index(i, j + 1), index(i + 1, j + 1)});

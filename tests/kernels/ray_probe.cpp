@@ -66,10 +66,11 @@ static_assert(sizeof(RayStream) == 99 * sizeof(float));
 static_assert(sizeof(ClosestHit) == 4 * sizeof(float));
 
 template <class Input>
-void run(const Device& device, const ClKernel& kernel, const Bvh& bvh, const std::vector<Input>& streams, float distance,
-         void* out, std::size_t bytes) {
+void run(const Device& device, const ClKernel& kernel, const Bvh& bvh, const std::vector<Input>& streams,
+         float distance, void* out, std::size_t bytes) {
   const auto& cl = opencl();
-  const ClBuffer nodes = device.input(bvh.nodes), leaves = device.input(bvh.leaves), rays = device.input(streams);
+  const ClBuffer nodes = device.input(bvh.nodes), leaves = device.input(bvh.leaves),
+                 rays = device.input(streams);
   const ClBuffer result = device.buffer(bytes);
   const cl_mem buffers[] = {nodes.get(), leaves.get(), rays.get(), result.get()};
   for (cl_uint i = 0; i < 3; ++i)
@@ -77,10 +78,12 @@ void run(const Device& device, const ClKernel& kernel, const Bvh& bvh, const std
   check_opencl(cl.clSetKernelArg(kernel.get(), 3, sizeof(float), &distance), "clSetKernelArg");
   check_opencl(cl.clSetKernelArg(kernel.get(), 4, sizeof(cl_mem), &buffers[3]), "clSetKernelArg");
   const std::size_t size = streams.size();
-  check_opencl(cl.clEnqueueNDRangeKernel(device.queue(), kernel.get(), 1, nullptr, &size, nullptr, 0, nullptr, nullptr),
+  check_opencl(cl.clEnqueueNDRangeKernel(device.queue(), kernel.get(), 1, nullptr, &size, nullptr, 0, nullptr,
+                                         nullptr),
                "clEnqueueNDRangeKernel");
-  check_opencl(cl.clEnqueueReadBuffer(device.queue(), result.get(), CL_TRUE, 0, bytes, out, 0, nullptr, nullptr),
-               "clEnqueueReadBuffer");
+  check_opencl(
+      cl.clEnqueueReadBuffer(device.queue(), result.get(), CL_TRUE, 0, bytes, out, 0, nullptr, nullptr),
+      "clEnqueueReadBuffer");
 }
 
 }  // namespace
@@ -90,7 +93,8 @@ RayProbe::RayProbe(const TriangleMesh& mesh, const BuildOptions& variant)
       device_(select_device("")),
       program_(build_program(device_, flatten_kernel("ray_probe", source), variant)) {}
 
-std::vector<std::uint32_t> RayProbe::bits(const char* kernel, const std::vector<RayStream>& streams, float max_distance) {
+std::vector<std::uint32_t> RayProbe::bits(const char* kernel, const std::vector<RayStream>& streams,
+                                          float max_distance) {
   std::vector<std::uint32_t> result(streams.size());
   run(device_, program_.kernel(kernel), bvh_, streams, max_distance, result.data(), result.size() * 4);
   return result;
@@ -100,19 +104,22 @@ std::vector<std::uint32_t> RayProbe::occluded(const std::vector<RayStream>& stre
   return bits("probe_occluded", streams, max_distance);
 }
 
-std::vector<std::uint32_t> RayProbe::occluded_own_origins(const std::vector<RayStream>& streams, float max_distance) {
+std::vector<std::uint32_t> RayProbe::occluded_own_origins(const std::vector<RayStream>& streams,
+                                                          float max_distance) {
   return bits("probe_occluded_own", streams, max_distance);
 }
 
 std::vector<vec3> RayProbe::offset_origins(const std::vector<SurfaceSample>& samples) {
   std::vector<vec3> result(samples.size());
-  run(device_, program_.kernel("probe_offset"), bvh_, samples, 0.0f, result.data(), result.size() * sizeof(vec3));
+  run(device_, program_.kernel("probe_offset"), bvh_, samples, 0.0f, result.data(),
+      result.size() * sizeof(vec3));
   return result;
 }
 
 std::vector<ClosestHit> RayProbe::closest(const std::vector<RayStream>& streams, float limit) {
   std::vector<ClosestHit> result(streams.size() * 32);
-  run(device_, program_.kernel("probe_closest"), bvh_, streams, limit, result.data(), result.size() * sizeof(ClosestHit));
+  run(device_, program_.kernel("probe_closest"), bvh_, streams, limit, result.data(),
+      result.size() * sizeof(ClosestHit));
   return result;
 }
 

@@ -43,7 +43,8 @@ class RayProbe {
   std::vector<vec3> offset_origins(const std::vector<SurfaceSample>& samples);
 
  private:
-  std::vector<std::uint32_t> bits(const char* kernel, const std::vector<RayStream>& streams, float max_distance);
+  std::vector<std::uint32_t> bits(const char* kernel, const std::vector<RayStream>& streams,
+                                  float max_distance);
 
   Bvh bvh_;
   Device device_;

@@ -51,7 +51,8 @@ TriangleMesh sphere(const vec3& center, float radius, unsigned n) {
   TriangleMesh mesh;
   const auto point = [&](unsigned i, unsigned j) {
     const double theta = M_PI * i / n, phi = M_PI * (j % (2 * n)) / n;
-    return center + radius * vec3(std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi));
+    return center +
+           radius * vec3(std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi));
   };
   std::vector<std::uint32_t> ids((n + 1) * 2 * n);
   for (unsigned i = 0; i <= n; ++i)
@@ -96,17 +97,20 @@ const vec3& corner(const TriangleMesh& mesh, std::size_t triangle, int k) {
 
 enum class Truth { miss, hit, too_close_to_call };
 
-/// A ray against one triangle in double precision; `slack`: relative distance to an edge or the limit below which a
-/// float computation may differ.
-Truth exact(const TriangleMesh& mesh, std::size_t i, const dvec3& o, const dvec3& d, double limit, double slack, double* t) {
-  const dvec3 a = dvec3(corner(mesh, i, 0)) - o, b = dvec3(corner(mesh, i, 1)) - o, c = dvec3(corner(mesh, i, 2)) - o;
+/// A ray against one triangle in double precision; `slack`: relative distance to an edge or the limit below
+/// which a float computation may differ.
+Truth exact(const TriangleMesh& mesh, std::size_t i, const dvec3& o, const dvec3& d, double limit,
+            double slack, double* t) {
+  const dvec3 a = dvec3(corner(mesh, i, 0)) - o, b = dvec3(corner(mesh, i, 1)) - o,
+              c = dvec3(corner(mesh, i, 2)) - o;
   const dvec3 n = glm::cross(b - a, c - a);
   const double height = glm::dot(a, n), approach = glm::dot(d, n);
   const double extent = std::max({glm::length(a), glm::length(b), glm::length(c)});
   const double edge = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
   const double side = approach < 0 ? -1 : 1;
-  const double least = side * std::min({side * glm::dot(d, glm::cross(b, c)), side * glm::dot(d, glm::cross(c, a)),
-                                        side * glm::dot(d, glm::cross(a, b))});
+  const double least =
+      side * std::min({side * glm::dot(d, glm::cross(b, c)), side * glm::dot(d, glm::cross(c, a)),
+                       side * glm::dot(d, glm::cross(a, b))});
   const double inside = side * least, margin = slack * extent * edge;
   if (inside < -margin) return Truth::miss;
   *t = height / approach;
@@ -133,7 +137,8 @@ std::vector<RayStream> axis_parallel_streams(unsigned count, unsigned seed) {
   const float tiny[] = {0.0f, -0.0f, 1e-40f, -1e-40f, 1e-30f, -1e-30f};
   std::vector<RayStream> streams(count);
   for (RayStream& s : streams) {
-    s.origin = {float(random.below(9)) / 4 - 1, float(random.below(9)) / 4 - 1, float(random.below(9)) / 4 - 1};
+    s.origin = {float(random.below(9)) / 4 - 1, float(random.below(9)) / 4 - 1,
+                float(random.below(9)) / 4 - 1};
     if (random.below(2)) s.origin += random.in_box(0.1f);
     for (vec3& d : s.direction) {
       const int axis = int(random.below(3));
@@ -202,7 +207,8 @@ TEST(Traverse, ClosestMatchesBruteForce) {
           double nearest = infinity, doubtful = infinity;
           for (std::size_t j = 0; j < c.mesh.triangles.size(); ++j) {
             double t;
-            const Truth one = exact(c.mesh, j, streams[i].origin, streams[i].direction[k], infinity, 1e-5, &t);
+            const Truth one =
+                exact(c.mesh, j, streams[i].origin, streams[i].direction[k], infinity, 1e-5, &t);
             if (one == Truth::hit) nearest = std::min(nearest, t);
             if (one == Truth::too_close_to_call) doubtful = std::min(doubtful, t);
           }
@@ -232,13 +238,15 @@ TEST(Traverse, VariantsAgreeToTheBit) {
         const auto bits = probe.occluded(streams, limit);
         if (first.empty()) first = bits;
         EXPECT_EQ(first, bits) << c.name << ", " << variant << ", limit " << limit;
-        EXPECT_EQ(first, probe.occluded_own_origins(streams, limit)) << c.name << ", " << variant << ", own origins";
+        EXPECT_EQ(first, probe.occluded_own_origins(streams, limit))
+            << c.name << ", " << variant << ", own origins";
       }
     }
   }
 }
 
-/// From inside a closed mesh every ray must meet it: those aimed at edges and vertices are the ones that leak.
+/// From inside a closed mesh every ray must meet it: those aimed at edges and vertices are the ones that
+/// leak.
 std::uint64_t leaks(RayProbe& probe, const TriangleMesh& mesh, bool vertices, unsigned seed) {
   Random random(seed);
   std::vector<RayStream> streams(20000);
@@ -251,7 +259,8 @@ std::uint64_t leaks(RayProbe& probe, const TriangleMesh& mesh, bool vertices, un
     }
   }
   std::uint64_t result = 0;
-  for (const std::uint32_t bits : probe.occluded(streams, infinity)) result += 32 - unsigned(__builtin_popcount(bits));
+  for (const std::uint32_t bits : probe.occluded(streams, infinity))
+    result += 32 - unsigned(__builtin_popcount(bits));
   return result;
 }
 
@@ -264,7 +273,8 @@ TEST(Traverse, NoRayLeaksThroughEdgesOrVertices) {
     }
 }
 
-// Seen from its outside a convex body occludes nothing of itself: every hit of a ray that leaves a face is with that face.
+// Seen from its outside a convex body occludes nothing of itself: every hit of a ray that leaves a face is
+// with that face.
 TEST(Traverse, NoRayMeetsTheSurfaceItLeaves) {
   for (const float scale : {1e-6f, 1e-3f, 1.0f, 1e3f, 1e6f})
     for (const vec3& center : {vec3(0, 0, 0), vec3(30, -7, 11)}) {
@@ -291,8 +301,10 @@ TEST(Traverse, NoRayMeetsTheSurfaceItLeaves) {
       const std::vector<vec3> origins = probe.offset_origins(samples);
       for (std::size_t i = 0; i < origins.size(); ++i) streams[i].origin = origins[i];
       unsigned hits = 0;
-      for (const std::uint32_t bits : probe.occluded(streams, infinity)) hits += unsigned(__builtin_popcount(bits));
-      EXPECT_EQ(hits, 0u) << "of 64000 rays, scale " << scale << ", centre at " << glm::length(center) << " radii";
+      for (const std::uint32_t bits : probe.occluded(streams, infinity))
+        hits += unsigned(__builtin_popcount(bits));
+      EXPECT_EQ(hits, 0u) << "of 64000 rays, scale " << scale << ", centre at " << glm::length(center)
+                          << " radii";
       // The offset stays far below the features: a few roundings of the coordinates.
       for (std::size_t i = 0; i < origins.size(); ++i) {
         const SurfaceSample& s = samples[i];
@@ -308,7 +320,8 @@ TEST(Traverse, NothingMeetsAnEmptyOrDegenerateMesh) {
   for (const TriangleMesh& mesh : {TriangleMesh(), points})
     for (const auto& [variant, options] : traversal_variants()) {
       RayProbe probe(mesh, options);
-      for (const std::uint32_t bits : probe.occluded(random_streams(100, 51, 2), infinity)) ASSERT_EQ(bits, 0u) << variant;
+      for (const std::uint32_t bits : probe.occluded(random_streams(100, 51, 2), infinity))
+        ASSERT_EQ(bits, 0u) << variant;
       for (const ClosestHit& hit : probe.closest(random_streams(100, 51, 2), infinity))
         ASSERT_EQ(hit.triangle, 0xffffffffu) << variant;
     }

@@ -23,19 +23,24 @@ std::vector<float> property(const std::string& bytes, const std::string& name, s
   }
   EXPECT_GE(place, 0) << name;
   std::vector<float> values(vertices);
-  for (std::size_t i = 0; place >= 0 && i < vertices; ++i) std::memcpy(&values[i], bytes.data() + end + 11 + (i * std::size_t(count) + std::size_t(place)) * 4, 4);
+  for (std::size_t i = 0; place >= 0 && i < vertices; ++i)
+    std::memcpy(&values[i], bytes.data() + end + 11 + (i * std::size_t(count) + std::size_t(place)) * 4, 4);
   return values;
 }
 
 TEST(Bake, VerticesAreProbes) {
   const TemporaryFolder folder;
-  const auto scene = write_small_scene(folder, "bake.toml", "[renderer]\nspp = 4\ndirections = 256\n[[effect]]\ntype = \"ao\"\n[[effect]]\ntype = \"bent\"\n");
+  const auto scene = write_small_scene(
+      folder, "bake.toml",
+      "[renderer]\nspp = 4\ndirections = 256\n[[effect]]\ntype = \"ao\"\n[[effect]]\ntype = \"bent\"\n");
   const auto output = folder / "baked.ply";
-  const ProgramResult baked = run_nook(folder, "bake '" + scene.string() + "' --to vertices -o '" + output.string() + "'");
+  const ProgramResult baked =
+      run_nook(folder, "bake '" + scene.string() + "' --to vertices -o '" + output.string() + "'");
   ASSERT_EQ(baked.exit_code, 0) << baked.err;
   const TriangleMesh mesh = load_ply(output);
   const std::string bytes = read_bytes(output);
-  const std::vector<float> ao = property(bytes, "ao", mesh.positions.size()), same = property(bytes, "bent_ao", mesh.positions.size());
+  const std::vector<float> ao = property(bytes, "ao", mesh.positions.size()),
+                           same = property(bytes, "bent_ao", mesh.positions.size());
   EXPECT_EQ(ao, same);
 
   std::ostringstream csv;
@@ -46,7 +51,8 @@ TEST(Bake, VerticesAreProbes) {
   }
   write_bytes(folder / "points.csv", csv.str());
   const auto single = write_small_scene(folder, "probe.toml", "[renderer]\ntype = \"ao\"\n");
-  const ProgramResult probed = run_nook(folder, "probe '" + single.string() + "' --samples 1024 --points '" + (folder / "points.csv").string() + "'");
+  const ProgramResult probed = run_nook(folder, "probe '" + single.string() + "' --samples 1024 --points '" +
+                                                    (folder / "points.csv").string() + "'");
   ASSERT_EQ(probed.exit_code, 0) << probed.err;
   std::istringstream rows(probed.out);
   std::string line;
@@ -56,7 +62,8 @@ TEST(Bake, VerticesAreProbes) {
     // Normals may differ in their last bit: a direction or two may change its mind.
     EXPECT_NEAR(ao[i], std::stof(line), 3.0 / 1024) << i;
   }
-  // The wall's upper corners (vertices 4 and 5) look into the open: more light than where the wall meets the floor (0 and 1).
+  // The wall's upper corners (vertices 4 and 5) look into the open: more light than where the wall meets the
+  // floor (0 and 1).
   EXPECT_GT(ao[4], ao[0]);
   EXPECT_LT(ao[0], 0.95f);
 }
@@ -75,7 +82,8 @@ TEST(Bake, RefusesWhatNeedsAViewer) {
   const TemporaryFolder folder;
   const auto refuse = [&](const std::string& keys, const std::string& message) {
     const auto scene = write_small_scene(folder, "s.toml", "[renderer]\n" + keys);
-    const ProgramResult run = run_nook(folder, "bake '" + scene.string() + "' -o '" + (folder / "x.ply").string() + "'");
+    const ProgramResult run =
+        run_nook(folder, "bake '" + scene.string() + "' -o '" + (folder / "x.ply").string() + "'");
     EXPECT_EQ(run.exit_code, 3);
     EXPECT_NE(run.err.find(message), std::string::npos) << run.err;
     EXPECT_FALSE(std::filesystem::exists(folder / "x.ply"));

@@ -82,7 +82,8 @@ TEST(BentNormal, SplitRunsHaveTheSameBits) {
   for (std::size_t i = 0; i < whole[0].pixels(); i += 7) {
     const vec3 world = bent_cone(whole[0], i).direction, view = bent_cone(whole[1], i).direction;
     EXPECT_NEAR(view.x, glm::dot(world, vec3(camera.right[0], camera.right[1], camera.right[2])), 1e-4);
-    EXPECT_NEAR(view.z, -glm::dot(world, vec3(camera.forward[0], camera.forward[1], camera.forward[2])), 1e-4);
+    EXPECT_NEAR(view.z, -glm::dot(world, vec3(camera.forward[0], camera.forward[1], camera.forward[2])),
+                1e-4);
   }
 }
 
@@ -91,15 +92,18 @@ TEST(BentNormal, ShardsMergeToTheWholePicture) {
   const auto scene = write_small_scene(folder, "bent.toml", "[renderer]\ntype = \"bent\"\nspp = 4\n");
   const Image whole = render_with_nook(folder, scene);
   for (const char* shard : {"1/2", "2/2"}) {
-    const ProgramResult run = run_nook(folder, std::string("render '") + scene.string() + "' --quiet --shard " + shard + " -o '" +
-                                                   (folder / (std::string("part") + shard[0])).string() + "'");
+    const ProgramResult run =
+        run_nook(folder, std::string("render '") + scene.string() + "' --quiet --shard " + shard + " -o '" +
+                             (folder / (std::string("part") + shard[0])).string() + "'");
     ASSERT_EQ(run.exit_code, 0) << run.err;
   }
-  const ProgramResult merged = run_nook(folder, "merge '" + (folder / "part1").string() + "' '" + (folder / "part2").string() + "' -o '" +
-                                                    (folder / "merged.exr").string() + "'");
+  const ProgramResult merged =
+      run_nook(folder, "merge '" + (folder / "part1").string() + "' '" + (folder / "part2").string() +
+                           "' -o '" + (folder / "merged.exr").string() + "'");
   ASSERT_EQ(merged.exit_code, 0) << merged.err;
   const Image together = read_exr(folder / "merged.exr");
-  for (const char* channel : {"R", "bent.X", "bent.Y", "bent.Z", "bent.cone", "bent.AO"}) EXPECT_EQ(plane(whole, channel), plane(together, channel)) << channel;
+  for (const char* channel : {"R", "bent.X", "bent.Y", "bent.Z", "bent.cone", "bent.AO"})
+    EXPECT_EQ(plane(whole, channel), plane(together, channel)) << channel;
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ inline TriangleMesh plane_at(float height) {
 }
 
 /// The film of one effect at the origin with normal +z, by `directions` directions.
-inline Film estimate_at_origin(const TriangleMesh& mesh, const Effect& effect, std::uint32_t directions = 1u << 16) {
+inline Film estimate_at_origin(const TriangleMesh& mesh, const Effect& effect,
+                               std::uint32_t directions = 1u << 16) {
   Scene scene;
   scene.effects = {effect};
   scene.directions = directions;
@@ -41,7 +42,8 @@ inline Film estimate_at_origin(const TriangleMesh& mesh, const Effect& effect, s
   return tracer.estimate_points({&point, 1}, 0, directions);
 }
 
-/// |estimate - expected| within 4 standard errors (two-sided p = 6e-5), and those small enough to mean something.
+/// |estimate - expected| within 4 standard errors (two-sided p = 6e-5), and those small enough to mean
+/// something.
 inline void expect_value(const Film& film, double expected) {
   const double error = std::sqrt(film.variance(0));
   EXPECT_LT(error, 0.005);

@@ -1,4 +1,5 @@
-// Several effects of one scene, through the program: the bits of each, and what was not simulated, by the run's own counters.
+// Several effects of one scene, through the program: the bits of each, and what was not simulated, by the
+// run's own counters.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +19,8 @@ bool maps(const nlohmann::json& stats, const std::string& library) {
   return false;
 }
 
-nlohmann::json stats_of(const TemporaryFolder& folder, const std::string& rest, const std::string& arguments = "") {
+nlohmann::json stats_of(const TemporaryFolder& folder, const std::string& rest,
+                        const std::string& arguments = "") {
   std::string stats;
   render_with_nook(folder, write_small_scene(folder, "scene.toml", rest), arguments, &stats);
   return nlohmann::json::parse(stats);
@@ -26,10 +28,13 @@ nlohmann::json stats_of(const TemporaryFolder& folder, const std::string& rest, 
 
 TEST(Effects, TogetherHaveTheBitsOfEachAlone) {
   const TemporaryFolder folder;
-  const std::string near = "type = \"ao\"\nmax_distance = 0.3\n", ro = "type = \"ro\"\nexponent = 5\n", plain = "type = \"ao\"\n";
+  const std::string near = "type = \"ao\"\nmax_distance = 0.3\n", ro = "type = \"ro\"\nexponent = 5\n",
+                    plain = "type = \"ao\"\n";
   const Image together = render_with_nook(
-      folder, write_small_scene(folder, "list.toml", renderer + "[[effect]]\n" + plain + "[[effect]]\nname = \"near\"\n" + near +
-                                                         "[[effect]]\n" + ro + "[[effect]]\ntype = \"normal\"\n[[effect]]\ntype = \"depth\"\n"));
+      folder, write_small_scene(folder, "list.toml",
+                                renderer + "[[effect]]\n" + plain + "[[effect]]\nname = \"near\"\n" + near +
+                                    "[[effect]]\n" + ro +
+                                    "[[effect]]\ntype = \"normal\"\n[[effect]]\ntype = \"depth\"\n"));
   const auto alone = [&](const std::string& keys, const std::string& channel) {
     return plane(render_with_nook(folder, write_small_scene(folder, "one.toml", renderer + keys)), channel);
   };
@@ -45,7 +50,10 @@ TEST(Effects, TogetherHaveTheBitsOfEachAlone) {
 TEST(Effects, NormalAndDepthAreOfTheSurface) {
   const TemporaryFolder folder;
   const Image image = render_with_nook(
-      folder, write_small_scene(folder, "s.toml", "[[effect]]\ntype = \"depth\"\n[[effect]]\ntype = \"normal\"\n[[effect]]\ntype = \"position\"\n"));
+      folder,
+      write_small_scene(
+          folder, "s.toml",
+          "[[effect]]\ntype = \"depth\"\n[[effect]]\ntype = \"normal\"\n[[effect]]\ntype = \"position\"\n"));
   const auto depth = plane(image, "R"), y = plane(image, "normal.Y"), height = plane(image, "position.Y");
   int floor = 0, background = 0;
   for (std::size_t i = 0; i < depth.size(); ++i) {
@@ -78,9 +86,12 @@ TEST(Effects, SurfacesWithoutALobeTraceNothing) {
   const TemporaryFolder folder;
   const std::string lobes = renderer + "type = \"ro\"\nexponent = \"material\"\n";
   std::string text;
-  const Image image = render_with_nook(folder, write_small_scene(folder, "m.toml", lobes), "--aov position", &text);
-  const Image same = render_with_nook(folder, write_small_scene(folder, "s.toml", renderer + "type = \"ro\"\nexponent = 20\n"));
-  const auto by_material = plane(image, "R"), constant = plane(same, "R"), x = plane(image, "P.X"), height = plane(image, "P.Y"), z = plane(image, "P.Z");
+  const Image image =
+      render_with_nook(folder, write_small_scene(folder, "m.toml", lobes), "--aov position", &text);
+  const Image same = render_with_nook(
+      folder, write_small_scene(folder, "s.toml", renderer + "type = \"ro\"\nexponent = 20\n"));
+  const auto by_material = plane(image, "R"), constant = plane(same, "R"), x = plane(image, "P.X"),
+             height = plane(image, "P.Y"), z = plane(image, "P.Z");
   int boxes = 0;
   for (std::size_t i = 0; i < by_material.size(); ++i) {
     // Inside the box's front face, so that every ray of the pixel meets it.
@@ -101,7 +112,8 @@ TEST(Effects, SurfacesWithoutALobeTraceNothing) {
 // At exponent 0 half of a lobe about a grazing mirror direction lies under the horizon.
 TEST(Effects, DirectionsUnderTheHorizonAreNotTraced) {
   const TemporaryFolder folder;
-  const auto wide = stats_of(folder, renderer + "type = \"ro\"\nexponent = 0\n"), narrow = stats_of(folder, renderer + "type = \"ro\"\nexponent = 1e6\n");
+  const auto wide = stats_of(folder, renderer + "type = \"ro\"\nexponent = 0\n"),
+             narrow = stats_of(folder, renderer + "type = \"ro\"\nexponent = 1e6\n");
   const double ratio = wide["rays"]["occlusion"].get<double>() / narrow["rays"]["occlusion"].get<double>();
   EXPECT_LT(ratio, 0.85);
   EXPECT_GT(ratio, 0.5);
@@ -109,7 +121,8 @@ TEST(Effects, DirectionsUnderTheHorizonAreNotTraced) {
 
 TEST(Effects, WhatIsPlannedIsUploaded) {
   const TemporaryFolder folder;
-  for (const std::string rest : {"type = \"ao\"\n", "type = \"ro\"\nexponent = \"material\"\n", "type = \"normal\"\n"}) {
+  for (const std::string rest :
+       {"type = \"ao\"\n", "type = \"ro\"\nexponent = \"material\"\n", "type = \"normal\"\n"}) {
     const auto scene = write_small_scene(folder, "scene.toml", renderer + rest);
     const ProgramResult said = run_nook(folder, "plan --json '" + scene.string() + "'");
     ASSERT_EQ(said.exit_code, 0) << said.err;
@@ -143,9 +156,13 @@ TEST(Effects, SsaoAloneMapsNoOpenCl) {
 TEST(Effects, SsaoBesideAoIsItsOwnLayer) {
   const TemporaryFolder folder;
   const Image both = render_with_nook(
-      folder, write_small_scene(folder, "both.toml", renderer + "[[effect]]\ntype = \"ssao\"\n[[effect]]\ntype = \"ao\"\n"));
+      folder, write_small_scene(folder, "both.toml",
+                                renderer + "[[effect]]\ntype = \"ssao\"\n[[effect]]\ntype = \"ao\"\n"));
   const auto ao = plane(render_with_nook(folder, write_small_scene(folder, "ao.toml", renderer)), "R");
-  const auto ssao = plane(render_with_nook(folder, write_small_scene(folder, "ssao.toml", "[renderer]\nrealtime = true\ntype = \"ssao\"\n")), "R");
+  const auto ssao = plane(
+      render_with_nook(
+          folder, write_small_scene(folder, "ssao.toml", "[renderer]\nrealtime = true\ntype = \"ssao\"\n")),
+      "R");
   EXPECT_EQ(plane(both, "R"), ao);
   EXPECT_EQ(plane(both, "ssao.R"), ssao);
 }
@@ -155,7 +172,8 @@ TEST(Effects, PlanOpensNoDevice) {
   const auto scene = write_small_scene(folder, "scene.toml", renderer);
   const ProgramResult said = run_nook(folder, "plan '" + scene.string() + "'");
   EXPECT_EQ(said.exit_code, 0);
-  for (const char* part : {"Layers", "Passes", "occlusion.cl", "-DEFFECT=0", "tree nodes", "Left out", "at most 6 912 rays"})
+  for (const char* part :
+       {"Layers", "Passes", "occlusion.cl", "-DEFFECT=0", "tree nodes", "Left out", "at most 6 912 rays"})
     EXPECT_NE(said.out.find(part), std::string::npos) << part << "\n" << said.out;
 }
 

@@ -1,6 +1,6 @@
-// What an effect's settings mean, against closed forms. Receiver at the origin, normal +z. Under an endless ceiling at height h, a
-// direction at cosine m to the normal meets it at t = h/m; with c = h/R (R the distance limit) cosine-weighted values are integrals
-// over 2 m dm, and the directions with m < c are open.
+// What an effect's settings mean, against closed forms. Receiver at the origin, normal +z. Under an endless
+// ceiling at height h, a direction at cosine m to the normal meets it at t = h/m; with c = h/R (R the
+// distance limit) cosine-weighted values are integrals over 2 m dm, and the directions with m < c are open.
 #include <gtest/gtest.h>
 
 #include "effects_geometry.hpp"
@@ -35,7 +35,9 @@ double under_ceiling(V visibility) {
   return c * c + sum * (1 - c) / steps / 3;
 }
 
-TEST(EffectSettings, NoFalloffIsTheOpenShare) { expect_value(estimate_at_origin(plane_at(1), ao_within(2)), c * c); }
+TEST(EffectSettings, NoFalloffIsTheOpenShare) {
+  expect_value(estimate_at_origin(plane_at(1), ao_within(2)), c * c);
+}
 
 // V = s = c/m: c² + 2 c (1 - c).
 TEST(EffectSettings, LinearFalloff) {
@@ -45,12 +47,14 @@ TEST(EffectSettings, LinearFalloff) {
 
 // V = s²(3-2s): 4c³ - 3c² - 6c² ln c.
 TEST(EffectSettings, SmoothFalloff) {
-  expect_value(estimate_at_origin(plane_at(1), with_falloff(Falloff::smooth)), 4 * c * c * c - 3 * c * c - 6 * c * c * std::log(c));
+  expect_value(estimate_at_origin(plane_at(1), with_falloff(Falloff::smooth)),
+               4 * c * c * c - 3 * c * c - 6 * c * c * std::log(c));
 }
 
 TEST(EffectSettings, ExponentialFalloff) {
   const auto visibility = [](double s) { return std::expm1(-4 * s) / std::expm1(-4.0); };
-  expect_value(estimate_at_origin(plane_at(1), with_falloff(Falloff::exponential)), under_ceiling(visibility));
+  expect_value(estimate_at_origin(plane_at(1), with_falloff(Falloff::exponential)),
+               under_ceiling(visibility));
 }
 
 // The ceiling counts from t = 1.25 to 2, that is m from 0.5 to 0.8: 1 - (0.64 - 0.25).
@@ -60,7 +64,8 @@ TEST(EffectSettings, NearerThanTheLeastDistanceDoesNotCount) {
   expect_value(estimate_at_origin(plane_at(1), effect), 0.61);
 }
 
-// With falloff too: the hidden directions have V = c/m: 1 - (0.64 - 0.25) + integral of 2 m c/m from 0.5 to 0.8 = 0.61 + 0.3.
+// With falloff too: the hidden directions have V = c/m: 1 - (0.64 - 0.25) + integral of 2 m c/m from 0.5 to
+// 0.8 = 0.61 + 0.3.
 TEST(EffectSettings, LeastDistanceWithFalloff) {
   Effect effect = with_falloff(Falloff::linear);
   effect.min_distance = 1.25f;
@@ -77,7 +82,8 @@ TEST(EffectSettings, ConeOfDirections) {
     expect_value(estimate_at_origin(plane_at(1), effect), (c * c - cos2) / (1 - cos2));
     effect.cone_angle = 45;
     EXPECT_EQ(estimate_at_origin(plane_at(1), effect).value(0), 0);
-    EXPECT_NEAR(estimate_at_origin(plane_at(3), effect).value(0), 1, sampling == Sampling::cosine ? 0 : 0.005);
+    EXPECT_NEAR(estimate_at_origin(plane_at(3), effect).value(0), 1,
+                sampling == Sampling::cosine ? 0 : 0.005);
   }
 }
 
@@ -85,7 +91,8 @@ TEST(EffectSettings, ConeOfDirections) {
 TEST(EffectSettings, InsideLooksTheOtherWay) {
   TriangleMesh slab = plane_at(0);
   const TriangleMesh bottom = plane_at(-1);
-  add_parallelogram(slab, bottom.positions[0], bottom.positions[1] - bottom.positions[0], bottom.positions[3] - bottom.positions[0]);
+  add_parallelogram(slab, bottom.positions[0], bottom.positions[1] - bottom.positions[0],
+                    bottom.positions[3] - bottom.positions[0]);
   Effect effect = ao_within(2);
   EXPECT_EQ(estimate_at_origin(slab, effect).value(0), 1);
   effect.side = Side::inside;
@@ -112,7 +119,8 @@ TEST(EffectSettings, InsideOfASlabUnderTheCamera) {
   EXPECT_NEAR(mean, c * c, 4 * std::sqrt(0.1875 / (256 * 64)));
 }
 
-// A plane with its normal upwards, a ceiling above it, the camera below: the normal's side is half hidden, the viewer's is open.
+// A plane with its normal upwards, a ceiling above it, the camera below: the normal's side is half hidden,
+// the viewer's is open.
 TEST(EffectSettings, ViewersSide) {
   TriangleMesh mesh = plane_at(0);
   add_parallelogram(mesh, {-1000, -1000, 1}, {2000, 0, 0}, {0, 2000, 0});

@@ -1,5 +1,5 @@
-// The hard cases of docs/hard-cases.md on the kernels that users run, with every traversal; each expected value is derived where it
-// stands.
+// The hard cases of docs/hard-cases.md on the kernels that users run, with every traversal; each expected
+// value is derived where it stands.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,7 +42,8 @@ class Case {
     EXPECT_EQ(tracer.counters().rejected, 0u);
     return std::move(films[0]);
   }
-  Film probe(Traversal traversal, const std::vector<SurfacePoint>& points, std::uint32_t directions, std::uint64_t rejected = 0) const {
+  Film probe(Traversal traversal, const std::vector<SurfacePoint>& points, std::uint32_t directions,
+             std::uint64_t rejected = 0) const {
     Scene at_points = scene;
     at_points.spp = 1;
     PathTracer tracer(device(), make_plan(at_points, mesh_), mesh_, bvh_, kernel_source, traversal);
@@ -50,7 +51,9 @@ class Case {
     EXPECT_EQ(tracer.counters().rejected, rejected);
     return film;
   }
-  SurfacePoint point(vec3 position, vec3 normal, vec3 view = vec3(0)) const { return surface_point(position, normal, view, mesh_.bounds); }
+  SurfacePoint point(vec3 position, vec3 normal, vec3 view = vec3(0)) const {
+    return surface_point(position, normal, view, mesh_.bounds);
+  }
   const TriangleMesh& mesh() const { return mesh_; }
   const Bvh& bvh() const { return bvh_; }
 
@@ -74,20 +77,25 @@ class HardCases : public testing::TestWithParam<Traversal> {
   }
   /// Within five standard errors of a frequency, and `slack` for what the mesh is not.
   static void expect_near(double value, double expected, std::uint32_t directions, double slack = 0) {
-    EXPECT_NEAR(value, expected, 5 * std::sqrt(std::max(expected * (1 - expected), 1e-9) / directions) + slack);
+    EXPECT_NEAR(value, expected,
+                5 * std::sqrt(std::max(expected * (1 - expected), 1e-9) / directions) + slack);
   }
 };
 
 INSTANTIATE_TEST_SUITE_P(Traversals, HardCases, testing::Values(Traversal::stream, Traversal::scalar),
-                         [](const auto& info) { return info.param == Traversal::stream ? "stream" : "scalar"; });
+                         [](const auto& info) {
+                           return info.param == Traversal::stream ? "stream" : "scalar";
+                         });
 
-// A unit sphere on a floor: from a floor point at distance D of its centre it covers the cosine-weighted share sin^2(a) cos(t) with
-// sin a = 1/D and cos t = 1/D, so AO = 1 - 1/D^3. The facets of the sphere are inside it: 0.002 of slack.
+// A unit sphere on a floor: from a floor point at distance D of its centre it covers the cosine-weighted
+// share sin^2(a) cos(t) with sin a = 1/D and cos t = 1/D, so AO = 1 - 1/D^3. The facets of the sphere are
+// inside it: 0.002 of slack.
 TEST_P(HardCases, ContactAtEveryScale) {
   for (const float scale : {1.0f, 1e-6f, 1e-3f, 1e3f, 1e6f}) {
     const Case contact(sphere_on_floor(scale, vec3(0)));
     for (const float x : {0.25f, 0.5f, 1.0f, 2.0f}) {
-      const Film film = contact.probe(GetParam(), {contact.point(vec3(x * scale, 0, 0), {0, 1, 0})}, 1u << 16);
+      const Film film =
+          contact.probe(GetParam(), {contact.point(vec3(x * scale, 0, 0), {0, 1, 0})}, 1u << 16);
       expect_near(film.value(0), 1 - std::pow(1 + double(x) * x, -1.5), 1u << 16, 0.002);
     }
   }
@@ -109,8 +117,9 @@ TEST_P(HardCases, PicturesAtPowerOfTwoScalesAreTheSameBits) {
   }
 }
 
-// Moved by d, positions are rounded to half an ulp of d, e = 2^-24 d: facets turn by about e over their size (here 1/16), and AO by
-// as much. Beyond d = 1e4 times the size that is no longer small; then only sane values are asked for.
+// Moved by d, positions are rounded to half an ulp of d, e = 2^-24 d: facets turn by about e over their size
+// (here 1/16), and AO by as much. Beyond d = 1e4 times the size that is no longer small; then only sane
+// values are asked for.
 TEST_P(HardCases, ContactMovedFarAway) {
   for (const float d : {10.0f, 1e3f, 1e4f, 1e6f}) {
     const Case contact(sphere_on_floor(1, vec3(d)));
@@ -124,8 +133,8 @@ TEST_P(HardCases, ContactMovedFarAway) {
   }
 }
 
-// Two half planes at an angle g, seen from one: (1 - cos g)/2. The plates are 1e4 times the distance to their edge, which leaves out
-// less than 1e-4 of the hemisphere.
+// Two half planes at an angle g, seen from one: (1 - cos g)/2. The plates are 1e4 times the distance to their
+// edge, which leaves out less than 1e-4 of the hemisphere.
 TEST_P(HardCases, SharpWedges) {
   for (const double degrees : {60.0, 10.0, 3.0, 1.0}) {
     const double angle = degrees * std::numbers::pi / 180;
@@ -154,7 +163,8 @@ TEST_P(HardCases, ClosedMeshIsDarkInside) {
   expect_all(star.render(GetParam()), 0);
 }
 
-// A distance limit of 0 sees nothing, and so does one far below every size; one beyond the scene is as good as none.
+// A distance limit of 0 sees nothing, and so does one far below every size; one beyond the scene is as good
+// as none.
 TEST_P(HardCases, DistanceLimits) {
   Case box(closed_box(2));
   box.scene.camera = {{0, 0, 0.5f}, {0.2f, 0.1f, -1}, {0, 1, 0}, 60};
@@ -178,12 +188,14 @@ TEST_P(HardCases, ExtremeCamerasSeeAnOpenFloor) {
     floor.scene.height = height;
     expect_all(floor.render(GetParam()), 1);
   };
-  for (const float fov : {0.01f, 30.0f, 179.0f}) expect_open({{0.1f, 2, 0.2f}, {0.1f, 0, 0.2f}, {0, 0, 1}, fov}, 16, 16);
+  for (const float fov : {0.01f, 30.0f, 179.0f})
+    expect_open({{0.1f, 2, 0.2f}, {0.1f, 0, 0.2f}, {0, 0, 1}, fov}, 16, 16);
   expect_open({{0.1f, 2, 0.2f}, {0, 0, 0}, {0, 0, 1}, 60}, 1, 1);
   expect_open({{0.1f, 2, 0.2f}, {0, 0, 0}, {0, 0, 1}, 60}, 1, 20000);
   expect_open({{0.1f, 2, 0.2f}, {0, 0, 0}, {0, 0, 1}, 1}, 20000, 1);
   // The closest that a camera can come: the next float above the floor.
-  expect_open({{0.1f, std::numeric_limits<float>::denorm_min(), 0.2f}, {0.1f, -1, 0.2f}, {0, 0, 1}, 60}, 4, 4);
+  expect_open({{0.1f, std::numeric_limits<float>::denorm_min(), 0.2f}, {0.1f, -1, 0.2f}, {0, 0, 1}, 60}, 4,
+              4);
 }
 
 // Exactly on a surface, and inside a wall: whatever is seen has a finite value in [0, 1].
@@ -192,7 +204,8 @@ TEST_P(HardCases, CameraOnASurfaceOrInAWall) {
     Case box(closed_box(4));
     box.scene.camera = {eye, {0.1f, 0.2f, 0.3f}, {0, 1, 0}, 90};
     const Film film = box.render(GetParam());
-    for (std::size_t i = 0; i < film.pixels(); ++i) EXPECT_TRUE(film.value(i) >= 0 && film.value(i) <= 1) << film.value(i);
+    for (std::size_t i = 0; i < film.pixels(); ++i)
+      EXPECT_TRUE(film.value(i) >= 0 && film.value(i) <= 1) << film.value(i);
   }
 }
 
@@ -207,17 +220,20 @@ TEST_P(HardCases, NoTriangleAndOne) {
   expect_all(one.render(GetParam()), 1);
 }
 
-// Triangles that halve in size towards a corner make the deepest tree that a surface area heuristic can be led to; its levels must
-// fit the traversal's stack, and the outermost wall must still be seen through all of them.
+// Triangles that halve in size towards a corner make the deepest tree that a surface area heuristic can be
+// led to; its levels must fit the traversal's stack, and the outermost wall must still be seen through all of
+// them.
 TEST_P(HardCases, WorstCaseDepth) {
   const Case nested(shrinking_triangles(120));
   EXPECT_LE(nested.bvh().statistics.depth, unsigned(BVH_MAX_DEPTH));
-  const Film film = nested.probe(GetParam(), {nested.point({0, 0, -1}, {0, 0, -1}), nested.point({0.01f, 0.01f, -1}, {0, 0, 1})}, 4096);
+  const Film film = nested.probe(
+      GetParam(), {nested.point({0, 0, -1}, {0, 0, -1}), nested.point({0.01f, 0.01f, -1}, {0, 0, 1})}, 4096);
   EXPECT_EQ(film.value(0), 1);
   EXPECT_LT(film.value(1), 1);
 }
 
-// The lobe's weight is (n+2)/(n+1) N.w in [0, 2]; over an open horizon the mean tends to cos(theta) for large n.
+// The lobe's weight is (n+2)/(n+1) N.w in [0, 2]; over an open horizon the mean tends to cos(theta) for large
+// n.
 TEST_P(HardCases, PhongExponentsAtEveryViewAngle) {
   for (const float exponent : {0.0f, 1.0f, 30.0f, 1e3f, 1e5f, 1e7f}) {
     Case open(single_triangle());
@@ -230,10 +246,12 @@ TEST_P(HardCases, PhongExponentsAtEveryViewAngle) {
     }
     const Film film = open.probe(GetParam(), points, 1u << 14);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      EXPECT_TRUE(film.value(i) >= 0 && film.value(i) <= 1.01) << film.value(i) << " at " << degrees[i] << ", " << exponent;
+      EXPECT_TRUE(film.value(i) >= 0 && film.value(i) <= 1.01)
+          << film.value(i) << " at " << degrees[i] << ", " << exponent;
       // Standard deviation of a weight: below sin(theta)/sqrt(n) + 1/n.
       if (exponent >= 1e5f && degrees[i] <= 80)
-        EXPECT_NEAR(film.value(i), std::cos(degrees[i] * std::numbers::pi / 180), 5 / std::sqrt(exponent * double(1u << 14)) + 2e-5);
+        EXPECT_NEAR(film.value(i), std::cos(degrees[i] * std::numbers::pi / 180),
+                    5 / std::sqrt(exponent * double(1u << 14)) + 2e-5);
     }
   }
 }
@@ -249,7 +267,8 @@ TEST_P(HardCases, NonFinitePointsAreCountedAndKeptOut) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(film.sum[i], 0u);
 }
 
-// 2^26 samples of one pixel: a float sum would stop at 2^24. The wedge of 60 degrees has AO (1 - 1/2)/2 = 0.25.
+// 2^26 samples of one pixel: a float sum would stop at 2^24. The wedge of 60 degrees has AO (1 - 1/2)/2 =
+// 0.25.
 TEST(HardCasesOnce, ManySamplesOnOnePixelDoNotDrift) {
   const Case corner(wedge(float(std::numbers::pi / 3), 1e4f));
   constexpr std::uint32_t directions = 1u << 26;

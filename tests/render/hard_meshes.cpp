@@ -79,9 +79,9 @@ TriangleMesh bad_floor(float scale) {
       add_square(mesh, {thin, 0, -1}, {thin, 0, 1}, {x1, 0, 1}, {x1, 0, -1});
     }
     add_square(mesh, {x0, 0, -1}, {thin, 0, -1}, {thin, 0, 1}, {x0, 0, 1});  // facing down
-    add_triangle(mesh, {x0, 0, -1}, {x0, 0, 0}, {x0, 0, 1});                  // no area
+    add_triangle(mesh, {x0, 0, -1}, {x0, 0, 0}, {x0, 0, 1});                 // no area
     add_triangle(mesh, {x0, 0, 0}, {x0, 0, 0}, {x0, 0, 0});
-    add_triangle(mesh, {x0, 0, -0.5f}, {x1, 0, -0.5f}, {x0, 0, 0.5f});        // overlaps its neighbours
+    add_triangle(mesh, {x0, 0, -0.5f}, {x1, 0, -0.5f}, {x0, 0, 0.5f});  // overlaps its neighbours
   }
   for (vec3& p : mesh.positions) p *= scale;
   return mesh;

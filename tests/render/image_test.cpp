@@ -123,8 +123,8 @@ TEST(ImageMutants, AreRejected) {
       {"uniform directions weighted as cosine", EffectKind::ao, Sampling::cosine, "occlusion.cl",
        "in_frame = square_to_cosine_hemisphere(u);\n    weight",
        "in_frame = square_to_hemisphere(u);\n    weight"},
-      // |cos| for max(0, cos) is no defect that a picture of closed surfaces shows: directions under the horizon end in
-      // the surface itself. Points without a surface show it (statistics/mutant_test.cpp).
+      // |cos| for max(0, cos) is no defect that a picture of closed surfaces shows: directions under the
+      // horizon end in the surface itself. Points without a surface show it (statistics/mutant_test.cpp).
       {"sphere weighted as hemisphere", EffectKind::ao, Sampling::sphere, "occlusion.cl",
        "4.0f * fmax(0.0f, in_frame.z)", "2.0f * fmax(0.0f, in_frame.z)"},
       {"no foreshortening", EffectKind::ro, Sampling::lobe, "occlusion.cl",

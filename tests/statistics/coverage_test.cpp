@@ -1,6 +1,7 @@
-// Adaptive renders where the answer is known: under a ceiling at height h, occlusion rays of length r from the floor see
-// AO = (h/r)², at every pixel (rays steeper than cos θ = h/r are blocked, and these have share 1 - (h/r)² of the cosine distribution).
-// Pixels are independent estimates: their mean shows the bias, and the share of intervals that hold the value is their coverage.
+// Adaptive renders where the answer is known: under a ceiling at height h, occlusion rays of length r from
+// the floor see AO = (h/r)², at every pixel (rays steeper than cos θ = h/r are blocked, and these have share
+// 1 - (h/r)² of the cosine distribution). Pixels are independent estimates: their mean shows the bias, and
+// the share of intervals that hold the value is their coverage.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -25,7 +26,9 @@ class CoverageTest : public ::testing::Test {
   // The ceiling's half width, 25, is beyond the reach of every ray here.
   void SetUp() override {
     std::ofstream obj(folder_.path() / "ceiling.obj");
-    for (const char* height : {"0", "1"}) obj << "v -25 " << height << " -25\nv 25 " << height << " -25\nv 25 " << height << " 25\nv -25 " << height << " 25\n";
+    for (const char* height : {"0", "1"})
+      obj << "v -25 " << height << " -25\nv 25 " << height << " -25\nv 25 " << height << " 25\nv -25 "
+          << height << " 25\n";
     obj << "f 4 3 2 1\nf 5 6 7 8\n";
     obj.close();
     mesh_ = load_obj(folder_.path() / "ceiling.obj");
@@ -101,7 +104,8 @@ TEST_F(CoverageTest, SameBitsEveryTime) {
   const ErrorTarget target{.error = .03};
   const Plan made = plan(.5, Sampling::cosine, target);
   PathTracer tracer(test::device(), made, mesh_, bvh_);
-  EXPECT_EQ(AdaptiveRender(tracer, made, target).run().effects.front().value, AdaptiveRender(tracer, made, target).run().effects.front().value);
+  EXPECT_EQ(AdaptiveRender(tracer, made, target).run().effects.front().value,
+            AdaptiveRender(tracer, made, target).run().effects.front().value);
 }
 
 // The pilot's spp against what the render then takes.
@@ -118,8 +122,11 @@ TEST_F(CoverageTest, TheForecastHolds) {
 }
 
 TEST_F(CoverageTest, AMissedTargetIsExitCode5) {
-  const std::string render = std::string(NOOK_PROGRAM) + " render " + (folder_.path() / "ceiling.obj").string() + " --quiet --size 64x64 ";
-  const auto exit_code = [](const std::string& command) { return WEXITSTATUS(std::system((command + " 2>/dev/null").c_str())); };
+  const std::string render = std::string(NOOK_PROGRAM) + " render " +
+                             (folder_.path() / "ceiling.obj").string() + " --quiet --size 64x64 ";
+  const auto exit_code = [](const std::string& command) {
+    return WEXITSTATUS(std::system((command + " 2>/dev/null").c_str()));
+  };
   EXPECT_EQ(exit_code(render + "--error .3"), 0);
   EXPECT_EQ(exit_code(render + "--error .01 --max-spp 64"), 5);
   EXPECT_EQ(exit_code(render + "--time .5"), 0);

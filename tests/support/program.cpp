@@ -17,7 +17,9 @@ extern char** environ;
 namespace nook::test {
 namespace {
 
-double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 std::filesystem::path temporary_file() {
   std::string name = (std::filesystem::temp_directory_path() / "nook-output-XXXXXX").string();
@@ -31,7 +33,8 @@ std::vector<std::string> environment_with(const std::vector<std::pair<std::strin
   std::vector<std::string> result;
   for (char** entry = environ; *entry; ++entry) {
     bool replaced = false;
-    for (const auto& [name, value] : added) replaced = replaced || std::string(*entry).starts_with(name + "=");
+    for (const auto& [name, value] : added)
+      replaced = replaced || std::string(*entry).starts_with(name + "=");
     if (!replaced) result.emplace_back(*entry);
   }
   for (const auto& [name, value] : added)

@@ -20,11 +20,12 @@ struct ProgramResult {
 struct ProgramSetting {
   std::vector<std::string> arguments;
   std::filesystem::path folder;  ///< to run in; empty: this process's
-  std::vector<std::pair<std::string, std::string>> environment;  ///< added; an empty value removes the variable
+  std::vector<std::pair<std::string, std::string>>
+      environment;                   ///< added; an empty value removes the variable
   rlim_t file_size = RLIM_INFINITY;  ///< bytes; writing beyond fails as on a full disk (EFBIG)
   rlim_t address_space = RLIM_INFINITY;
   std::string standard_output;  ///< a file to write to instead of ProgramResult::out, e.g. /dev/full
-  double timeout = 60;  ///< seconds; then it is killed, and the result's code is 137
+  double timeout = 60;          ///< seconds; then it is killed, and the result's code is 137
 };
 
 /// A program under way, its output collected; killed if it still runs when destroyed.

@@ -1,4 +1,5 @@
-// The wide tree's structure: every triangle once, inside every box above it, the same bytes on any number of threads.
+// The wide tree's structure: every triangle once, inside every box above it, the same bytes on any number of
+// threads.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -115,7 +116,8 @@ TEST(BvhBuild, IsTheSameOnAnyNumberOfThreads) {
     ASSERT_EQ(one.nodes.size(), many.nodes.size());
     ASSERT_EQ(one.leaves.size(), many.leaves.size());
     EXPECT_EQ(std::memcmp(one.nodes.data(), many.nodes.data(), one.nodes.size() * sizeof(BvhNode)), 0);
-    EXPECT_EQ(std::memcmp(one.leaves.data(), many.leaves.data(), one.leaves.size() * sizeof(TriangleLeaf)), 0);
+    EXPECT_EQ(std::memcmp(one.leaves.data(), many.leaves.data(), one.leaves.size() * sizeof(TriangleLeaf)),
+              0);
   }
 }
 
@@ -158,7 +160,8 @@ TEST(BvhBuild, NeedsAtMost80BytesATriangle) {
   const std::uint32_t n = 300;
   for (std::uint32_t i = 0; i <= n; ++i)
     for (std::uint32_t j = 0; j <= n; ++j)
-      mesh.positions.push_back(vec3(float(i), std::sin(0.07f * float(i)) * 5 * std::cos(0.05f * float(j)), float(j)));
+      mesh.positions.push_back(
+          vec3(float(i), std::sin(0.07f * float(i)) * 5 * std::cos(0.05f * float(j)), float(j)));
   for (std::uint32_t i = 0; i < n; ++i)
     for (std::uint32_t j = 0; j < n; ++j) {
       const std::uint32_t a = i * (n + 1) + j, b = a + n + 1;

@@ -128,16 +128,20 @@ TEST(Checkpoint, PartsJoinInAnyOrderToTheSame) {
 TEST(Checkpoint, RefusesWhatDoesNotBelongTogether) {
   const FilmPart part = made_up_part(0, 5);
   FilmPart joined = part;
-  expect_error(ExitCode::scene, "b: samples 4 to 4 of 15 pixels are in another part already", [&] { join_film_part(joined, "a", made_up_part(4, 9), "b"); });
+  expect_error(ExitCode::scene, "b: samples 4 to 4 of 15 pixels are in another part already",
+               [&] { join_film_part(joined, "a", made_up_part(4, 9), "b"); });
   FilmPart other = made_up_part(5, 9);
   other.identity[0].second = "8";
-  expect_error(ExitCode::scene, "a and b differ in seed: 7 and 8", [&] { join_film_part(joined, "a", other, "b"); });
+  expect_error(ExitCode::scene, "a and b differ in seed: 7 and 8",
+               [&] { join_film_part(joined, "a", other, "b"); });
   other = made_up_part(5, 9);
   other.films.pop_back();
-  expect_error(ExitCode::scene, "a and b are not parts of one picture", [&] { join_film_part(joined, "a", other, "b"); });
+  expect_error(ExitCode::scene, "a and b are not parts of one picture",
+               [&] { join_film_part(joined, "a", other, "b"); });
   other = made_up_part(5, 9);
   std::get<std::vector<float>>(other.surface[0].values)[3] = 1;
-  expect_error(ExitCode::scene, "a and b differ in their channel Z", [&] { join_film_part(joined, "a", other, "b"); });
+  expect_error(ExitCode::scene, "a and b differ in their channel Z",
+               [&] { join_film_part(joined, "a", other, "b"); });
   expect_same(joined, part);
 }
 

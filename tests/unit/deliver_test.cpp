@@ -10,12 +10,16 @@ namespace nook::test {
 namespace {
 
 std::string config(const std::string& renders) {
-  return "{\"firstlast\": \"Ada Lovelace\", \"id\": 123, \"course\": 446, \"assignment\": 3, \"renders\": [" + renders + "]}";
+  return "{\"firstlast\": \"Ada Lovelace\", \"id\": 123, \"course\": 446, \"assignment\": 3, \"renders\": [" +
+         renders + "]}";
 }
 
-std::string entry(const std::string& render) { return "{\"scene\": \"A picture\", \"render\": \"" + render + "\"}"; }
+std::string entry(const std::string& render) {
+  return "{\"scene\": \"A picture\", \"render\": \"" + render + "\"}";
+}
 
-ProgramResult deliver(const TemporaryFolder& folder, const std::string& json, const std::string& arguments = "") {
+ProgramResult deliver(const TemporaryFolder& folder, const std::string& json,
+                      const std::string& arguments = "") {
   write_small_scene(folder, "small_ao.toml", "[renderer]\ntype = \"ao\"\nspp = 1\n");
   write_small_scene(folder, "small_ro_offline.toml", "[renderer]\ntype = \"ro\"\nspp = 1\nexponent = 10\n");
   write_small_scene(folder, "small_ssao.toml", "[renderer]\nrealtime = true\ntype = \"ssao\"\n");
@@ -27,19 +31,25 @@ TEST(Deliver, PacksTheSet) {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder / "src" / "render");
   write_bytes(folder / "src" / "render" / "ao.h", "// mine\n");
-  const ProgramResult run = deliver(folder, config(entry("offline/small_ao.exr") + "," + entry("offline/small_ro.exr") + "," + entry("realtime/small_ssao.exr")), "--student 'Grace Hopper'");
+  const ProgramResult run =
+      deliver(folder,
+              config(entry("offline/small_ao.exr") + "," + entry("offline/small_ro.exr") + "," +
+                     entry("realtime/small_ssao.exr")),
+              "--student 'Grace Hopper'");
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const std::filesystem::path out = folder / "delivery";
   for (const char* part : {"config.json", "offline/", "small_ao.exr", "small_ro.exr", "src/render/", "ao.h"})
     EXPECT_NE(run.out.find(part), std::string::npos) << part << "\n" << run.out;
   const Imf::InputFile exr((out / "offline" / "small_ao.exr").c_str());
   int channels = 0;
-  for (auto c = exr.header().channels().begin(); c != exr.header().channels().end(); ++c, ++channels) EXPECT_EQ(c.channel().type, Imf::HALF);
+  for (auto c = exr.header().channels().begin(); c != exr.header().channels().end(); ++c, ++channels)
+    EXPECT_EQ(c.channel().type, Imf::HALF);
   EXPECT_EQ(channels, 3);
 
   const std::string zip = read_bytes(out / "123_a3.zip");
   // Each name stands before its file and again in the directory at the end.
-  for (const std::string name : {"config.json", "src/render/ao.h", "offline/small_ao.exr", "offline/small_ro.exr", "realtime/small_ssao.exr"}) {
+  for (const std::string name : {"config.json", "src/render/ao.h", "offline/small_ao.exr",
+                                 "offline/small_ro.exr", "realtime/small_ssao.exr"}) {
     std::size_t found = 0;
     for (std::size_t at = zip.find(name); at != std::string::npos; at = zip.find(name, at + 1)) ++found;
     EXPECT_EQ(found, 2u) << name;

@@ -15,7 +15,8 @@
 namespace nook::test {
 namespace {
 
-TriangleMesh load(const TemporaryFolder& folder, const std::string& input, const MeshAttributes& attributes = {}) {
+TriangleMesh load(const TemporaryFolder& folder, const std::string& input,
+                  const MeshAttributes& attributes = {}) {
   write_bytes(folder / "scene.toml", input + small_view);
   return load_scene_mesh(load_scene(folder / "scene.toml"), attributes);
 }
@@ -28,7 +29,9 @@ TEST(Instances, AreTheirBakedCopiesToTheBit) {
   const TemporaryFolder folder;
   write_bytes(folder / "one.obj", one);
   write_bytes(folder / "baked.obj", baked);
-  const TriangleMesh copies = load(folder, "[input]\nobjfile = \"one.obj\"\n[[instance]]\nobjfile = \"one.obj\"\nscale = [2, 4, 1]\ntranslate = [3, 0, -1]\n");
+  const TriangleMesh copies = load(folder,
+                                   "[input]\nobjfile = \"one.obj\"\n[[instance]]\nobjfile = "
+                                   "\"one.obj\"\nscale = [2, 4, 1]\ntranslate = [3, 0, -1]\n");
   const TriangleMesh by_hand = load(folder, "[input]\nobjfile = \"baked.obj\"\n");
   EXPECT_EQ(mesh_hash(copies), mesh_hash(by_hand));
   EXPECT_EQ(copies.bounds.hi, by_hand.bounds.hi);
@@ -39,18 +42,25 @@ TEST(Instances, RenderAsTheirBakedCopies) {
   write_bytes(folder / "one.obj", one);
   write_bytes(folder / "baked.obj", baked);
   const std::string rest = std::string(small_view) + "[renderer]\nspp = 4\nmax_distance = 3\n";
-  write_bytes(folder / "a.toml", "[[instance]]\nobjfile = \"one.obj\"\n[[instance]]\nobjfile = \"one.obj\"\nscale = [2, 4, 1]\ntranslate = [3, 0, -1]\n" + rest);
+  write_bytes(folder / "a.toml",
+              "[[instance]]\nobjfile = \"one.obj\"\n[[instance]]\nobjfile = \"one.obj\"\nscale = [2, 4, "
+              "1]\ntranslate = [3, 0, -1]\n" +
+                  rest);
   write_bytes(folder / "b.toml", "[input]\nobjfile = \"baked.obj\"\n" + rest);
-  EXPECT_EQ(plane(render_with_nook(folder, folder / "a.toml"), "R"), plane(render_with_nook(folder, folder / "b.toml"), "R"));
+  EXPECT_EQ(plane(render_with_nook(folder, folder / "a.toml"), "R"),
+            plane(render_with_nook(folder, folder / "b.toml"), "R"));
 }
 
-// Mirrored by scale -1: the winding turns with it, so that the geometric normal is the transformed vertex normal.
+// Mirrored by scale -1: the winding turns with it, so that the geometric normal is the transformed vertex
+// normal.
 TEST(Instances, MirrorsKeepTheirSides) {
   const TemporaryFolder folder;
   write_bytes(folder / "one.obj", one);
-  const TriangleMesh mesh = load(folder, "[[instance]]\nobjfile = \"one.obj\"\nscale = [-1, 1, 1]\nrotate = [0, 90, 0]\n");
+  const TriangleMesh mesh =
+      load(folder, "[[instance]]\nobjfile = \"one.obj\"\nscale = [-1, 1, 1]\nrotate = [0, 90, 0]\n");
   const auto& t = mesh.triangles[0];
-  const vec3 geometric = glm::cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]);
+  const vec3 geometric =
+      glm::cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]);
   EXPECT_GT(glm::dot(geometric, mesh.normals[mesh.triangle_normals[0][0]]), 0.99f);
   EXPECT_NEAR(mesh.normals[mesh.triangle_normals[0][0]].x, 1, 1e-6);
 }
@@ -68,13 +78,16 @@ TEST(Instances, FilesWithAndWithoutNormalsMix) {
 TEST(Ground, LiesUnderTheMeshAndLeavesTheDistanceAlone) {
   const TemporaryFolder folder;
   write_bytes(folder / "one.obj", one);
-  const TriangleMesh bare = load(folder, "[input]\nobjfile = \"one.obj\"\n"), grounded = load(folder, "[input]\nobjfile = \"one.obj\"\n[ground]\n");
+  const TriangleMesh bare = load(folder, "[input]\nobjfile = \"one.obj\"\n"),
+                     grounded = load(folder, "[input]\nobjfile = \"one.obj\"\n[ground]\n");
   EXPECT_EQ(grounded.triangles.size(), bare.triangles.size() + 2);
   EXPECT_EQ(grounded.bounds.lo.y, bare.bounds.lo.y);
   EXPECT_LT(grounded.bounds.lo.x, -10);
   Effect ao;
-  EXPECT_EQ(resolve_distance(ao, grounded.subject_bounds(), false), resolve_distance(ao, bare.subject_bounds(), false));
-  const TriangleMesh lower = load(folder, "[input]\nobjfile = \"one.obj\"\n[ground]\nheight = -2\nreach = 3\n");
+  EXPECT_EQ(resolve_distance(ao, grounded.subject_bounds(), false),
+            resolve_distance(ao, bare.subject_bounds(), false));
+  const TriangleMesh lower =
+      load(folder, "[input]\nobjfile = \"one.obj\"\n[ground]\nheight = -2\nreach = 3\n");
   EXPECT_EQ(lower.bounds.lo.y, -2);
   EXPECT_EQ(lower.bounds.hi.x, 3.5f);
 }
@@ -82,9 +95,12 @@ TEST(Ground, LiesUnderTheMeshAndLeavesTheDistanceAlone) {
 TEST(Instances, BadOnesSayWhere) {
   const TemporaryFolder folder;
   write_bytes(folder / "one.obj", one);
-  const auto refuse = [&](const std::string& input, const std::string& message) { expect_error(ExitCode::scene, message, [&] { load(folder, input); }); };
+  const auto refuse = [&](const std::string& input, const std::string& message) {
+    expect_error(ExitCode::scene, message, [&] { load(folder, input); });
+  };
   refuse("[[instance]]\ntranslate = [1, 2, 3]\n", "scene.toml:1:1: objfile is missing in [[instance]]");
-  refuse("[[instance]]\nobjfile = \"one.obj\"\nscale = 0\n", "scene.toml:3:9: scale must be a number other than 0, or three");
+  refuse("[[instance]]\nobjfile = \"one.obj\"\nscale = 0\n",
+         "scene.toml:3:9: scale must be a number other than 0, or three");
   refuse("[[instance]]\nobjfile = \"one.obj\"\nrotation = 3\n", "did you mean 'rotate'?");
   refuse("[[instance]]\nobjfile = \"none.obj\"\n", "none.obj: no such file");
   write_bytes(folder / "big.obj", "v 0 0 0\nv 1e20 0 0\nv 0 1e20 0\nf 1 2 3\n");
@@ -92,7 +108,8 @@ TEST(Instances, BadOnesSayWhere) {
   refuse("[input]\nobjfile = []\n", "objfile must be a string, or a list of strings");
   refuse("[input]\nobjfile = [3]\n", "objfile must be a string, or a list of strings");
   refuse("instance = 3\n[input]\nobjfile = \"one.obj\"\n", "instances are tables: [[instance]]");
-  refuse("[input]\nobjfile = \"one.obj\"\n[ground]\nheight = \"low\"\n", "height must be a number, or \"auto\"");
+  refuse("[input]\nobjfile = \"one.obj\"\n[ground]\nheight = \"low\"\n",
+         "height must be a number, or \"auto\"");
 }
 
 }  // namespace

@@ -9,10 +9,10 @@
 #include "bvh/bvh.hpp"
 #include "expect_error.hpp"
 #include "mesh/obj_loader.hpp"
+#include "nook_program.hpp"
 #include "render/kernel_plan.hpp"
 #include "render/plan_report.hpp"
 #include "scene/scene_toml.hpp"
-#include "nook_program.hpp"
 
 namespace nook {
 namespace {
@@ -43,7 +43,8 @@ std::vector<std::string> prefixes(const Plan& plan) {
 }
 
 bool mentions(const std::vector<std::string>& lines, const std::string& part) {
-  return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) { return line.find(part) != std::string::npos; });
+  return std::any_of(lines.begin(), lines.end(),
+                     [&](const std::string& line) { return line.find(part) != std::string::npos; });
 }
 
 void expect_scene_error(const std::string& rest, const std::string& message) {
@@ -73,7 +74,8 @@ type = "ro"
 type = "ro"
 [[effect]]
 type = "depth"
-)").plan;
+)")
+                        .plan;
   EXPECT_EQ(prefixes(plan), (std::vector<std::string>{"", "ro.", "ro2.", "ro3.", "depth."}));
   EXPECT_EQ(plan.effects.size(), 4u);
   EXPECT_TRUE(plan.surface);
@@ -106,7 +108,8 @@ exponent = "material"
 type = "normal"
 [[effect]]
 type = "ssao"
-)").plan;
+)")
+                        .plan;
   const KernelPlan among = occlusion_kernel(many, many.effects[0]);
   EXPECT_EQ(among.options.text(), plain.options.text());
   EXPECT_EQ(among.file, plain.file);
@@ -146,9 +149,11 @@ TEST(Plan, ReportsWhatIsLeftOut) {
 
 TEST(Plan, BadEffectListsSayWhere) {
   const std::string list = "[[effect]]\ntype = \"ao\"\n";
-  expect_scene_error("[renderer]\ntype = \"ao\"\n" + list, "type belongs into the [[effect]] tables of this scene");
+  expect_scene_error("[renderer]\ntype = \"ao\"\n" + list,
+                     "type belongs into the [[effect]] tables of this scene");
   expect_scene_error("[[effect]]\nname = \"x\"\n", "type is missing in [[effect]]");
-  expect_scene_error("[[effect]]\ntype = \"aoo\"\n", "scene.toml:12:8: unknown type 'aoo', did you mean 'ao'?");
+  expect_scene_error("[[effect]]\ntype = \"aoo\"\n",
+                     "scene.toml:12:8: unknown type 'aoo', did you mean 'ao'?");
   expect_scene_error(list + "exponent = 3\n", "unknown key 'exponent' in [[effect]] of type \"ao\"");
   expect_scene_error(list + "sampling_type = \"lobe\"\n", "needs type \"ro\"");
   expect_scene_error(list + "name = \"N\"\n", "the name 'N' is taken");
@@ -160,7 +165,8 @@ TEST(Plan, BadEffectListsSayWhere) {
 
 TEST(Plan, ALobeByMaterialNeedsOne) {
   const TemporaryFolder folder;
-  const auto file = test::write_small_scene(folder, "scene.toml", "[renderer]\ntype = \"ro\"\nexponent = \"material\"\n");
+  const auto file =
+      test::write_small_scene(folder, "scene.toml", "[renderer]\ntype = \"ro\"\nexponent = \"material\"\n");
   const Scene scene = load_scene(file);
   const auto plan = [&] { return make_plan(scene, load_obj(scene.mesh_file, needed_attributes(scene))); };
   test::write_bytes(folder / "small.mtl", "newmtl plain\nnewmtl glossy\nKs 0 0 0\nNs 20\n");

@@ -14,8 +14,10 @@ using test::expect_error;
 using test::TemporaryFolder;
 using test::write_bytes;
 
-const std::string text_header = "ply\nformat ascii 1.0\ncomment two triangles\nelement vertex 4\nproperty float x\nproperty float y\n"
-                                "property float z\nproperty uchar red\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+const std::string text_header =
+    "ply\nformat ascii 1.0\ncomment two triangles\nelement vertex 4\nproperty float x\nproperty float y\n"
+    "property float z\nproperty uchar red\nelement face 1\nproperty list uchar int "
+    "vertex_indices\nend_header\n";
 const std::string text_body = "0 0 0 255\n1 0 0 255\n1 1 0 255\n0 1 0.5 255\n4 0 1 2 3\n";
 
 TriangleMesh load(const std::string& bytes) {
@@ -58,18 +60,32 @@ TEST(Ply, BadFilesSayWhere) {
   refuse("", "no end_header");
   refuse("obj\nend_header\n", "mesh.ply:1: not a PLY file");
   refuse("ply\nend_header\n", "has no format");
-  refuse("ply\nformat binary_big_endian 1.0\nend_header\n", "mesh.ply:2: format 'binary_big_endian' is not supported");
-  refuse("ply\nformat ascii 1.0\nelement vertex -1\nend_header\n", "mesh.ply:3: an element needs a name and a count");
-  refuse("ply\nformat ascii 1.0\nelement vertex 1\nproperty float16 x\nend_header\n", "mesh.ply:4: unknown type 'float16'");
+  refuse("ply\nformat binary_big_endian 1.0\nend_header\n",
+         "mesh.ply:2: format 'binary_big_endian' is not supported");
+  refuse("ply\nformat ascii 1.0\nelement vertex -1\nend_header\n",
+         "mesh.ply:3: an element needs a name and a count");
+  refuse("ply\nformat ascii 1.0\nelement vertex 1\nproperty float16 x\nend_header\n",
+         "mesh.ply:4: unknown type 'float16'");
   refuse("ply\nformat ascii 1.0\nproperty float x\nend_header\n", "a property before any element");
-  refuse("ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\nend_header\n", "more than the file holds");
-  refuse("ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nend_header\n", "vertices need the properties x, y and z");
+  refuse(
+      "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\nproperty float "
+      "z\nend_header\n",
+      "more than the file holds");
+  refuse("ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nend_header\n",
+         "vertices need the properties x, y and z");
   refuse(text_header + "0 0 0 255\n1 0 zero 255\n", "mesh.ply:13: 'zero' is not a number");
   refuse(text_header + "0 0 0 255\n", "the file ends too early");
-  refuse(text_header + text_body.substr(0, text_body.size() - 2) + "9\n", "vertex index 9 is out of range (4 vertices)");
+  refuse(text_header + text_body.substr(0, text_body.size() - 2) + "9\n",
+         "vertex index 9 is out of range (4 vertices)");
   refuse(text_header + text_body.substr(0, text_body.size() - 2) + "-1\n", "vertex index -1 is out of range");
-  refuse("ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\nend_header\n", "the mesh has no triangles");
-  refuse("ply\nformat binary_little_endian 1.0\nelement face 1\nproperty list uint int vertex_indices\nend_header\n\xff\xff\xff\xff", "more than the file holds");
+  refuse(
+      "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float "
+      "z\nend_header\n",
+      "the mesh has no triangles");
+  refuse(
+      "ply\nformat binary_little_endian 1.0\nelement face 1\nproperty list uint int "
+      "vertex_indices\nend_header\n\xff\xff\xff\xff",
+      "more than the file holds");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The stop rules' mathematics, without randomness: a sequential rule is a finite Markov chain over (samples, hits), so bias and
-// coverage follow exactly from summing the probabilities of where it ends.
+// The stop rules' mathematics, without randomness: a sequential rule is a finite Markov chain over (samples,
+// hits), so bias and coverage follow exactly from summing the probabilities of where it ends.
 #include "render/stop_rule.hpp"
 
 #include <gtest/gtest.h>
@@ -16,8 +16,8 @@ struct Outcome {
   double probability;
 };
 
-// Where the rule ends for hits of probability p, and how likely. A forward recursion over single batches; it knows of the
-// rule only when it stops.
+// Where the rule ends for hits of probability p, and how likely. A forward recursion over single batches; it
+// knows of the rule only when it stops.
 std::vector<Outcome> outcomes(const CountRule& rule, double p) {
   std::vector<double> going_on{1};
   std::uint32_t n = 0;
@@ -25,7 +25,8 @@ std::vector<Outcome> outcomes(const CountRule& rule, double p) {
   for (const std::uint32_t stage : rule.stages()) {
     for (; n < stage; ++n) {
       going_on.push_back(0);
-      for (std::size_t k = going_on.size() - 1; k > 0; --k) going_on[k] = going_on[k] * (1 - p) + going_on[k - 1] * p;
+      for (std::size_t k = going_on.size() - 1; k > 0; --k)
+        going_on[k] = going_on[k] * (1 - p) + going_on[k - 1] * p;
       going_on[0] *= 1 - p;
     }
     for (std::uint32_t k = 0; k <= n; ++k) {
@@ -52,7 +53,8 @@ TEST(NormalQuantile, KnownValues) {
   EXPECT_NEAR(normal_quantile(0.999), 3.2905267314919255, 1e-11);
 }
 
-// Wilson's interval for 7 of 50 (z = 1.959964): (.0695, .2619), e.g. Newcombe 1998, table I has 81 of 263 at (.2553, .3662).
+// Wilson's interval for 7 of 50 (z = 1.959964): (.0695, .2619), e.g. Newcombe 1998, table I has 81 of 263 at
+// (.2553, .3662).
 TEST(ScoreInterval, IsWilsonsForCounts) {
   const Interval interval = score_interval({81, 81, 263}, 1, normal_quantile(0.95));
   EXPECT_NEAR(interval.low, 0.2553, 5e-5);
@@ -62,7 +64,8 @@ TEST(ScoreInterval, IsWilsonsForCounts) {
 // The samples' unit does not matter: values 0 and w give w times the interval of counts.
 TEST(ScoreInterval, Scales) {
   const double w = 2.5;
-  const Interval counts = score_interval({7, 7, 50}, 1, 1.96), weights = score_interval({7 * w, 7 * w * w, 50}, w, 1.96);
+  const Interval counts = score_interval({7, 7, 50}, 1, 1.96),
+                 weights = score_interval({7 * w, 7 * w * w, 50}, w, 1.96);
   EXPECT_NEAR(weights.low, w * counts.low, 1e-12);
   EXPECT_NEAR(weights.high, w * counts.high, 1e-12);
 }
@@ -98,11 +101,13 @@ TEST(CountRule, StaysUnbiasedWhenStoppedFromOutside) {
   const CountRule whole({.error = .02}), cut({.error = .02, .max_spp = 200});
   for (const double p : probabilities) {
     const auto ends = outcomes(cut, p);
-    EXPECT_NEAR(expectation(ends, [&](const Outcome& end) { return whole.estimate(end.n, end.k); }), p, 1e-9) << p;
+    EXPECT_NEAR(expectation(ends, [&](const Outcome& end) { return whole.estimate(end.n, end.k); }), p, 1e-9)
+        << p;
   }
 }
 
-// Why the estimate is needed: k/n at the stopping time is low for small p by more than a tenth of its standard error.
+// Why the estimate is needed: k/n at the stopping time is low for small p by more than a tenth of its
+// standard error.
 TEST(CountRule, ThePlainMeanIsBiased) {
   const CountRule rule({.error = .02});
   const double p = .05;
@@ -112,7 +117,8 @@ TEST(CountRule, ThePlainMeanIsBiased) {
 }
 
 double coverage(const CountRule& rule, double p) {
-  return expectation(outcomes(rule, p), [&](const Outcome& end) { return double(rule.interval(end.n, end.k).contains(p)); });
+  return expectation(outcomes(rule, p),
+                     [&](const Outcome& end) { return double(rule.interval(end.n, end.k).contains(p)); });
 }
 
 // Where the error asked is well below p and 1-p, so that the number of hits takes many values.
@@ -128,8 +134,8 @@ TEST(CountRule, IntervalsCoverAsOftenAsTheySay) {
   }
 }
 
-// Where the error asked is as large as p itself, a few values of the count carry all the probability, and no set of them has
-// 95 %; the interval then covers too often rather than too seldom.
+// Where the error asked is as large as p itself, a few values of the count carry all the probability, and no
+// set of them has 95 %; the interval then covers too often rather than too seldom.
 TEST(CountRule, IntervalsOfRareEventsAreWide) {
   for (const double error : {.02, .01, .005}) {
     const CountRule rule({.error = error});

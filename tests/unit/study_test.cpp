@@ -1,5 +1,5 @@
-// The study's machinery on estimators whose error is known: pixels with normal errors of variance s²/level, a bias, a
-// fixed cost per level.
+// The study's machinery on estimators whose error is known: pixels with normal errors of variance s²/level, a
+// bias, a fixed cost per level.
 #include "report/study.hpp"
 
 #include <gtest/gtest.h>
@@ -87,7 +87,8 @@ TEST(Study, ErrorsAreMeasuredAndBanded) {
   EXPECT_LE(missed, 4) << "of " << bands;
 }
 
-// A reference as noisy as the estimates at level 16 doubles the raw square error there; subtracted, it leaves the truth.
+// A reference as noisy as the estimates at level 16 doubles the raw square error there; subtracted, it leaves
+// the truth.
 TEST(Study, TheReferencesVarianceIsSubtracted) {
   const Study study = finished_study({synthetic("a")}, deviation * deviation / 16);
   for (const StudyPoint& point : study.points())
@@ -100,7 +101,9 @@ TEST(Study, ABiasedEstimatorIsShownAsBiased) {
   for (const StudyPoint& point : study.points()) {
     const double expected = point.method == "biased" ? 0.05 * 0.05 : 0;
     const double noise = deviation * deviation / point.level / std::sqrt(double(pixels) * point.pairs);
-    EXPECT_NEAR(point.bias_square, expected, 5 * noise + 1e-4 * 5 / std::sqrt(double(pixels)) + 0.1 * 0.02 * expected + 2e-5) << point.method << point.level;
+    EXPECT_NEAR(point.bias_square, expected,
+                5 * noise + 1e-4 * 5 / std::sqrt(double(pixels)) + 0.1 * 0.02 * expected + 2e-5)
+        << point.method << point.level;
   }
   const PointSummary dearest = summarise(study.points().back());
   EXPECT_NEAR(dearest.rmse.value, std::hypot(0.05, deviation / 8), 0.002);
