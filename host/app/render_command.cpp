@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 
@@ -83,6 +84,20 @@ void check_memory(const Scene& scene, std::size_t aovs) {
   nook::check_memory(pixels * bytes_a_pixel,
                      fmt::format("a picture of {}x{} pixels", window.width(), window.height()),
                      "render it in pieces with --crop");
+}
+
+// One file for each output: the last one written would replace the others.
+void check_outputs(const RenderOptions& options) {
+  std::vector<fs::path> files;
+  for (const fs::path& file : {options.output, options.stats, options.checkpoints.checkpoint})
+    if (!file.empty()) files.push_back(fs::absolute(file).lexically_normal());
+  std::sort(files.begin(), files.end());
+  const auto twice = std::adjacent_find(files.begin(), files.end());
+  if (twice != files.end())
+    throw Error(ExitCode::usage, fmt::format("{}: two outputs cannot share a file", twice->string()));
+  if (options.png && options.output.extension() == ".png")
+    throw Error(ExitCode::usage, fmt::format("{}: is the preview's name; name an .exr file, or say --no-png",
+                                             options.output.string()));
 }
 
 // Options that this scene cannot honour, and those that exclude one another; before anything is loaded.
@@ -219,6 +234,7 @@ int render(const RenderOptions& options) {
     keep_inputs(scene, options.stats);
     check_writable(options.stats);
   }
+  check_outputs(options);
   check_combinations(scene, options);
   check_memory(scene, options.aovs.size());
   if (is_ssao_alone(scene)) {

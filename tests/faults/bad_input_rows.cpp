@@ -190,6 +190,8 @@ std::vector<BadInput> output_rows() {
       {"output is a folder", "render scene.toml -o folder.exr --quiet", 6, "folder.exr", {}, {"folder.exr"}},
       {"output is the scene", "render scene.toml -o scene.toml --quiet", 6, "would be overwritten"},
       {"output is the mesh", "render scene.toml -o ./mesh.obj --quiet", 6, "would be overwritten"},
+      {"outputs share a file", "render scene.toml -o a.exr --stats a.exr --quiet", 2, "cannot share a file"},
+      {"output is the preview", "render scene.toml -o a.png --quiet", 2, "a.png: is the preview's name"},
       {"output is a device", "render scene.toml -o /dev/null --quiet", 6, "/dev/null"},
       {"output folder not writable", "render scene.toml -o /proc/out.exr --quiet", 6, "/proc/out.exr"},
       {"output name too long", "render scene.toml --quiet -o " + std::string(300, 'x') + ".exr", 6,
