@@ -1,9 +1,10 @@
-// nook bake SCENE --to vertices -o mesh.ply: AO and bent normals at the mesh's vertices, as properties of a
-// PLY file.
+// nook bake SCENE: AO and bent normals at the mesh's vertices, as properties of a PLY file (--to vertices),
+// or at the texels that its texture coordinates reach (--to texture).
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "app/bake_texture.hpp"
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
 #include "app/scene_options.hpp"
@@ -22,6 +23,7 @@ struct BakeOptions {
   SceneOptions scene;
   DeviceOptions device;
   std::string to = "vertices";
+  TextureOptions texture;
   std::filesystem::path output;
 };
 
@@ -68,21 +70,9 @@ std::vector<VertexProperty> properties_of(const EffectPlan& effect, const Film& 
   return made;
 }
 
-int bake(const BakeOptions& options) {
-  const Scene scene = bake_scene(options);
-  keep_inputs(scene, options.output);
-  const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene));
-  const Plan plan = make_plan(scene, mesh);
-  for (const EffectPlan& effect : plan.effects)
-    if (effect.effect.view_space || effect.effect.side == Side::viewer)
-      throw Error(ExitCode::scene,
-                  fmt::format("{}: a bake has no viewer: {}", scene.file.string(),
-                              effect.effect.view_space ? "space = \"view\"" : "side = \"viewer\""));
-  const Device device = options.device.open();
-  const Bvh bvh = build_bvh(mesh);
-  PathTracer tracer(device, plan, mesh, bvh);
+void write_vertices(const std::filesystem::path& output, const TriangleMesh& mesh, const Plan& plan,
+                    PathTracer& tracer) {
   const std::vector<vec3> normals = position_normals(mesh);
-  catch_interrupts();
   const std::vector<Film> films = tracer.estimate_all(vertex_points(mesh, normals), plan.directions,
                                                       [](auto&&...) { return !interrupted(); });
   if (interrupted()) throw Error(ExitCode::interrupted, "interrupted; nothing was written");
@@ -90,9 +80,34 @@ int bake(const BakeOptions& options) {
   for (std::size_t e = 0; e < films.size(); ++e)
     for (VertexProperty& property : properties_of(plan.effects[e], films[e]))
       properties.push_back(std::move(property));
-  write_ply(options.output, mesh, normals, properties);
-  fmt::print(stderr, "{}: {} vertices, {} directions each\n", options.output.string(), mesh.positions.size(),
+  write_ply(output, mesh, normals, properties);
+  fmt::print(stderr, "{}: {} vertices, {} directions each\n", output.string(), mesh.positions.size(),
              plan.directions);
+}
+
+int bake(const BakeOptions& options) {
+  const bool to_texture = options.to == "texture";
+  const Scene scene = bake_scene(options);
+  keep_inputs(scene, options.output);
+  if (to_texture) check_texture_options(options.texture, scene, options.output);
+  MeshAttributes attributes = needed_attributes(scene);
+  attributes.uvs = attributes.uvs || to_texture;
+  const TriangleMesh mesh = load_scene_mesh(scene, attributes);
+  const Plan plan = make_plan(scene, mesh);
+  for (const EffectPlan& effect : plan.effects)
+    if (effect.effect.view_space || effect.effect.side == Side::viewer)
+      throw Error(ExitCode::scene,
+                  fmt::format("{}: a bake has no viewer: {}", scene.file.string(),
+                              effect.effect.view_space ? "space = \"view\"" : "side = \"viewer\""));
+  const TexturePoints texels = to_texture ? points_of_texture(options.texture, scene, mesh) : TexturePoints{};
+  const Device device = options.device.open();
+  const Bvh bvh = build_bvh(mesh);
+  PathTracer tracer(device, plan, mesh, bvh);
+  catch_interrupts();
+  if (to_texture)
+    write_texture(options.texture, texels, plan, tracer, options.output);
+  else
+    write_vertices(options.output, mesh, plan, tracer);
   tracer.store_programs();
   return 0;
 }
@@ -101,12 +116,17 @@ int bake(const BakeOptions& options) {
 
 void add_bake_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<BakeOptions>();
-  CLI::App* command =
-      app.add_subcommand("bake", "Write AO and bent normals at the mesh's vertices into a PLY file");
+  CLI::App* command = app.add_subcommand(
+      "bake", "Write AO and bent normals at the mesh's vertices into a PLY file, or into a texture");
   options->scene.add_to(*command);
+  // The film of the scene is not what is baked.
+  for (const char* of_film : {"--size", "--crop"}) command->remove_option(command->get_option(of_film));
   options->device.add_to(*command);
-  command->add_option("--to", options->to, "vertices")->check(CLI::IsMember({"vertices"}));
-  command->add_option("-o,--output", options->output, "PLY file")->required();
+  command->add_option("--to", options->to, "vertices or texture")
+      ->check(CLI::IsMember({"vertices", "texture"}));
+  options->texture.add_to(*command);
+  command->add_option("-o,--output", options->output, "PLY file; with --to texture an EXR or PNG file")
+      ->required();
   command->callback([options, &chosen] { chosen = [options] { return bake(*options); }; });
 }
 

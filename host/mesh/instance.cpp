@@ -70,16 +70,10 @@ void append_instance(TriangleMesh& whole, const TriangleMesh& part, const glm::d
                 [&](std::uint32_t m) { return m == none ? none : m + first_material; });
   append_values(whole.triangle_group, before, part.triangle_group, count, none,
                 [&](std::uint32_t g) { return g + first_group; });
-  const bool uvs = !part.triangle_uvs.empty() && (before == 0 || !whole.triangle_uvs.empty());
-  if (uvs) {
-    const auto first_uv = std::uint32_t(whole.uvs.size());
-    for (const auto& corners : part.triangle_uvs)
-      whole.triangle_uvs.push_back(oriented(shifted(corners, first_uv)));
-    whole.uvs.insert(whole.uvs.end(), part.uvs.begin(), part.uvs.end());
-  } else {
-    whole.uvs.clear();
-    whole.triangle_uvs.clear();
-  }
+  const auto first_uv = std::uint32_t(whole.uvs.size());
+  append_values(whole.triangle_uvs, before, part.triangle_uvs, count, {none, none, none},
+                [&](const auto& corners) { return oriented(shifted(corners, first_uv)); });
+  whole.uvs.insert(whole.uvs.end(), part.uvs.begin(), part.uvs.end());
   whole.materials.insert(whole.materials.end(), part.materials.begin(), part.materials.end());
   whole.groups.insert(whole.groups.end(), part.groups.begin(), part.groups.end());
   for (const auto& triangle : part.triangles) {

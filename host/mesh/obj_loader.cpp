@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <tiny_obj_loader.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -180,6 +181,10 @@ TriangleMesh load_obj(const std::filesystem::path& path, const MeshAttributes& w
     mesh.triangle_normals.clear();
     mesh.report.normals_replaced = 0;
   }
+  const auto no_uv = [](const auto& corners) {
+    return std::all_of(corners.begin(), corners.end(), [](std::uint32_t i) { return i == 0xffffffffu; });
+  };
+  if (std::all_of(mesh.triangle_uvs.begin(), mesh.triangle_uvs.end(), no_uv)) mesh.triangle_uvs.clear();
   for (const tinyobj::material_t& m : materials)
     mesh.materials.push_back(
         {m.name, material_files.has_lobe(m.name) ? m.shininess : -1.0f, m.alpha_texname});

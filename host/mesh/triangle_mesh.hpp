@@ -31,9 +31,9 @@ struct TriangleMesh {
   std::vector<vec2> uvs;
   std::vector<std::array<std::uint32_t, 3>> triangles;         ///< indices into positions, counter-clockwise
   std::vector<std::array<std::uint32_t, 3>> triangle_normals;  ///< indices into normals, or no_normal
-  std::vector<std::array<std::uint32_t, 3>> triangle_uvs;
-  std::vector<std::uint32_t> triangle_material;  ///< index into materials
-  std::vector<std::uint32_t> triangle_group;     ///< index into groups
+  std::vector<std::array<std::uint32_t, 3>> triangle_uvs;      ///< indices into uvs, or 0xffffffff
+  std::vector<std::uint32_t> triangle_material;                ///< index into materials
+  std::vector<std::uint32_t> triangle_group;                   ///< index into groups
   std::vector<Material> materials;
   std::vector<std::string> groups;
   Bounds3 bounds;   ///< of the positions that triangles use
