@@ -1,10 +1,10 @@
 #include "embree_scene.hpp"
 
-#include <chrono>
 #include <cstring>
 #include <string>
 
 #include "base/error.hpp"
+#include "stopwatch.hpp"
 
 namespace nook::bench {
 
@@ -14,7 +14,7 @@ EmbreeScene::EmbreeScene(const TriangleMesh& mesh, bool robust, unsigned threads
   scene_ = rtcNewScene(device_);
   rtcSetSceneFlags(scene_, robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
   rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_MEDIUM);
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
   void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                             sizeof(vec3), mesh.positions.size());
@@ -26,7 +26,7 @@ EmbreeScene::EmbreeScene(const TriangleMesh& mesh, bool robust, unsigned threads
   rtcAttachGeometry(scene_, geometry);
   rtcReleaseGeometry(geometry);
   rtcCommitScene(scene_);
-  commit_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  commit_seconds_ = watch.seconds();
 }
 
 EmbreeScene::~EmbreeScene() {

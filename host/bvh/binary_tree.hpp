@@ -1,10 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
-#include <vector>
 
-#include "math/bounds.hpp"
+#include "base/large_vector.hpp"
+#include "bvh/task_pool.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace nook {
@@ -13,31 +12,38 @@ namespace nook {
 /// places of the node array from its root on: left child next, right child 2 * (left child's count) places
 /// on. So the place of a node depends on its triangles alone, not on which thread got there first.
 struct BinaryNode {
-  Bounds3 box;
-  std::uint32_t first = 0;  ///< of BinaryTree::triangles
-  std::uint32_t count = 0;
-  std::uint32_t left_count = 0;  ///< 0: a leaf, of one triangle
+  vec3 lo, hi;          ///< the box
+  std::uint32_t first;  ///< of BinaryTree::triangles
+  std::uint32_t count;
+  std::uint32_t left_count;  ///< 0: a leaf, of one triangle
 
   bool is_leaf() const { return left_count == 0; }
+  float half_area() const {
+    const vec3 e = hi - lo;
+    return e.x * e.y + e.y * e.z + e.z * e.x;
+  }
 };
 
 struct BinaryTree {
-  std::vector<BinaryNode> nodes;         ///< nodes[0] is the root; empty if there are no triangles
-  std::vector<std::uint32_t> triangles;  ///< mesh triangles, in the order of the leaves
+  LargeVector<BinaryNode> nodes;         ///< 2 * triangles.size() - 1; nodes[0] is the root
+  LargeVector<std::uint32_t> triangles;  ///< mesh triangles, in the order of the leaves
 
+  bool empty() const { return triangles.empty(); }
   static std::uint32_t left(std::uint32_t node) { return node + 1; }
   std::uint32_t right(std::uint32_t node) const { return node + 2 * nodes[node].left_count; }
+  /// Inner nodes have numbers of their own, without gaps: of the places before a node, as many are leaves as
+  /// there are triangles before its own.
+  std::uint32_t inner_number(std::uint32_t node) const { return node - nodes[node].first; }
 };
 
 /// How nodes are split.
 enum class SplitRule {
-  surface_area,  ///< binned surface area heuristic (Wald 2007)
+  surface_area,  ///< surface area heuristic, binned (Wald 2007) but for a node's last eight triangles
   median         ///< object median along the longest axis: a balanced tree, whatever the mesh
 };
 
-/// Splits down to single triangles. `triangles` are indices into mesh.triangles. The result does not depend
-/// on `threads` (at least 1).
-BinaryTree build_binary_tree(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles,
-                             SplitRule rule, unsigned threads);
+/// Splits down to single triangles, over the triangles of `mesh` that a ray can hit: finite vertices, and not
+/// two of them the same. The result does not depend on the pool's number of threads.
+BinaryTree build_binary_tree(const TriangleMesh& mesh, SplitRule rule, TaskPool& pool);
 
 }  // namespace nook

@@ -16,29 +16,17 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Finite vertices, and not all of them the same: anything less can never be hit.
-bool can_be_hit(const TriangleMesh& mesh, std::uint32_t triangle) {
-  const auto& t = mesh.triangles[triangle];
-  const vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
-  for (const vec3& p : {a, b, c})
-    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) return false;
-  return a != b && b != c && c != a;
-}
-
 Bvh build(const TriangleMesh& mesh, const BvhOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const unsigned threads =
       options.threads ? options.threads : std::max(1u, std::thread::hardware_concurrency());
-  std::vector<std::uint32_t> triangles;
-  triangles.reserve(mesh.triangles.size());
-  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
-    if (can_be_hit(mesh, i)) triangles.push_back(i);
+  TaskPool pool(threads);
   Bvh bvh;
   double build_seconds = 0, collapse_seconds = 0;
   for (const SplitRule rule : {SplitRule::surface_area, SplitRule::median}) {
-    const BinaryTree tree = build_binary_tree(mesh, triangles, rule, threads);
+    const BinaryTree tree = build_binary_tree(mesh, rule, pool);
     build_seconds = seconds_since(start);
-    bvh = collapse(tree, mesh);
+    bvh = collapse(tree, mesh, pool);
     collapse_seconds = seconds_since(start) - build_seconds;
     // A mesh made to be deep gets a balanced tree, so that the kernels' stack suffices.
     if (bvh.statistics.depth <= BVH_MAX_DEPTH) break;

@@ -2,8 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
+#include "base/large_vector.hpp"
 #include "kernels/shared/bvh.h"
 #include "mesh/triangle_mesh.hpp"
 
@@ -21,8 +21,8 @@ static_assert(sizeof(TriangleLeaf) == 10 * BVH_LEAF_WIDTH * 4 &&
 
 /// A wide bounding volume hierarchy, flattened into the structs of kernels/shared/bvh.h, ready to upload.
 struct Bvh {
-  std::vector<BvhNode> nodes;        ///< nodes[0] is the root; without triangles it has no children
-  std::vector<TriangleLeaf> leaves;  ///< never empty, since a buffer cannot be
+  LargeVector<BvhNode> nodes;        ///< nodes[0] is the root; without triangles it has no children
+  LargeVector<TriangleLeaf> leaves;  ///< never empty, since a buffer cannot be
   struct Statistics {
     double build_seconds = 0;
     double collapse_seconds = 0;

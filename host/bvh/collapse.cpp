@@ -1,137 +1,152 @@
 #include "bvh/collapse.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+
+#include "bvh/choices.hpp"
 
 namespace nook {
 namespace {
 
-constexpr int width = BVH_WIDTH;
+constexpr std::uint32_t task_size = 8192;  // triangles of a subtree that is a task of its own
+constexpr float infinity = std::numeric_limits<float>::infinity();
 
-// What a ray pays for a visit: measured for streams (bench/README.md), in arbitrary units.
-constexpr float node_cost = 1.0f;
-constexpr float leaf_cost = 1.2f;
+BvhNode empty_node() {
+  BvhNode node;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::fill_n(node.lo[axis], BVH_WIDTH, infinity);
+    std::fill_n(node.hi[axis], BVH_WIDTH, -infinity);
+  }
+  std::fill_n(node.child, BVH_WIDTH, BVH_EMPTY);
+  return node;
+}
 
-/// Costs of a subtree that is represented by at most k roots, k = 1 to width; each root is a leaf or a node.
-struct Choice {
-  std::array<float, width> cost;  ///< [k-1]
-  std::array<std::uint8_t, width>
-      left{};  ///< [k-1]: roots given to the left child; 0: the same as with k-1 roots
-  std::uint8_t open_left = 0,
-               open_right = 0;  ///< roots that the children get where this subtree's root is a node
-  bool as_leaf = false;         ///< how one root is made
+TriangleLeaf empty_leaf() {
+  TriangleLeaf leaf = {};
+  std::fill_n(leaf.triangle, BVH_LEAF_WIDTH, BVH_EMPTY);
+  return leaf;
+}
+
+/// Nodes and leaves: places in the arrays, or how many there are below a node.
+struct Place {
+  std::uint32_t nodes = 0, leaves = 0;
 };
 
-float half_area(const Bounds3& b) {
-  const vec3 e = b.hi - b.lo;
-  return e.x * e.y + e.y * e.z + e.z * e.x;
-}
+/// A wide node that is filled with all that is below it.
+struct Job {
+  std::uint32_t root;    // of the binary tree
+  unsigned depth;        // of the wide node: 1 for the tree's root
+  std::uint32_t target;  // the wide node's place
+  Place next;            // where its descendants' places begin
+};
 
 class Collapser {
  public:
-  Collapser(const BinaryTree& tree, const TriangleMesh& mesh) : tree_(tree), mesh_(mesh) {}
+  Collapser(const BinaryTree& tree, const TriangleMesh& mesh, TaskPool& pool)
+      : tree_(tree), mesh_(mesh), pool_(pool), choices_(tree, pool) {}
 
+  // The places are those of a traversal in depth: a node's children, then what is below each of them.
+  // Descendants are counted before anything is written, so that tasks write side by side.
   Bvh run() {
-    bvh_.nodes.push_back(empty_node());
-    if (!tree_.nodes.empty()) {
-      choices_.resize(tree_.nodes.size());
-      choose(0);
-      fill(0, choices_[0].as_leaf ? std::vector<std::uint32_t>{0} : children_of(0), 1);
+    if (tree_.empty()) {
+      // A buffer cannot be empty: a node without children, a leaf that no node refers to.
+      bvh_.nodes.push_back(empty_node());
+      bvh_.leaves.push_back(empty_leaf());
+      return std::move(bvh_);
     }
-    bvh_.statistics.triangles_per_leaf =
-        bvh_.leaves.empty() ? 0.0 : double(tree_.triangles.size()) / double(bvh_.leaves.size());
-    // A buffer cannot be empty: a leaf that no node refers to.
-    if (bvh_.leaves.empty()) bvh_.leaves.push_back(empty_leaf());
+    list_tasks(0);
+    counts_.resize(tasks_.size());
+    pool_.for_ranges(tasks_.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) counts_[i] = below(tasks_[i]);
+    });
+    std::size_t task = 0;
+    Place all = below_above(0, task);
+    ++all.nodes;
+    bvh_.nodes.resize(all.nodes);
+    bvh_.leaves.resize(all.leaves);
+    Place next = {1, 0};
+    fill_above({0, 1, 0, {}}, next);
+    std::vector<Bvh::Statistics> statistics(jobs_.size());
+    pool_.for_ranges(jobs_.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) fill(jobs_[i], jobs_[i].next, statistics[i]);
+    });
+    for (const Bvh::Statistics& s : statistics) {
+      bvh_.statistics.depth = std::max(bvh_.statistics.depth, s.depth);
+      bvh_.statistics.sah_cost += s.sah_cost;
+    }
+    bvh_.statistics.triangles_per_leaf = double(tree_.triangles.size()) / double(bvh_.leaves.size());
     return std::move(bvh_);
   }
 
  private:
-  static BvhNode empty_node() {
-    BvhNode node;
-    for (int axis = 0; axis < 3; ++axis) {
-      std::fill_n(node.lo[axis], width, std::numeric_limits<float>::infinity());
-      std::fill_n(node.hi[axis], width, -std::numeric_limits<float>::infinity());
-    }
-    std::fill_n(node.child, width, BVH_EMPTY);
-    return node;
+  bool is_task(std::uint32_t root) const { return tree_.nodes[root].count <= task_size; }
+
+  // A root that is one leaf is the only child of the wide root.
+  Choices::Children children_of(std::uint32_t root) const {
+    if (!choices_.is_leaf(root)) return choices_.children_of(root);
+    Choices::Children only;
+    only.roots[only.count++] = root;
+    return only;
   }
 
-  static TriangleLeaf empty_leaf() {
-    TriangleLeaf leaf = {};
-    std::fill_n(leaf.triangle, BVH_LEAF_WIDTH, BVH_EMPTY);
-    return leaf;
-  }
-
-  void choose(std::uint32_t index) {
-    const BinaryNode& node = tree_.nodes[index];
-    Choice& choice = choices_[index];
-    const float area = half_area(node.box);
-    if (node.is_leaf()) {
-      choice.cost.fill(area * leaf_cost);
-      choice.as_leaf = true;
+  /// Appends the wide nodes' subtrees that are tasks, in depth-first order.
+  void list_tasks(std::uint32_t root) {
+    if (is_task(root)) {
+      tasks_.push_back(root);
       return;
     }
-    choose(BinaryTree::left(index));
-    choose(tree_.right(index));
-    const Choice& l = choices_[BinaryTree::left(index)];
-    const Choice& r = choices_[tree_.right(index)];
-    for (int k = 2; k <= width; ++k) {
-      float best = std::numeric_limits<float>::infinity();
-      int best_left = 0;
-      for (int i = 1; i < k; ++i) {
-        const float cost = l.cost[i - 1] + r.cost[k - i - 1];
-        if (cost < best) {
-          best = cost;
-          best_left = i;
-        }
+    const Choices::Children children = sorted_children(root);
+    for (std::uint32_t i = 0; i < children.count; ++i)
+      if (!choices_.is_leaf(children.roots[i])) list_tasks(children.roots[i]);
+  }
+
+  /// What is below the wide node that stands for the subtree.
+  Place below(std::uint32_t root) const {
+    const Choices::Children children = children_of(root);
+    Place sum;
+    for (std::uint32_t i = 0; i < children.count; ++i) {
+      if (choices_.is_leaf(children.roots[i])) {
+        ++sum.leaves;
+        continue;
       }
-      if (k > 2 && choice.cost[k - 2] <= best) {
-        best = choice.cost[k - 2];
-        best_left = 0;
+      const Place more = below(children.roots[i]);
+      sum.nodes += 1 + more.nodes;
+      sum.leaves += more.leaves;
+    }
+    return sum;
+  }
+
+  Place below_above(std::uint32_t root, std::size_t& task) const {
+    if (is_task(root)) return counts_[task++];
+    const Choices::Children children = sorted_children(root);
+    Place sum;
+    for (std::uint32_t i = 0; i < children.count; ++i) {
+      if (choices_.is_leaf(children.roots[i])) {
+        ++sum.leaves;
+        continue;
       }
-      choice.cost[k - 1] = best;
-      choice.left[k - 1] = std::uint8_t(best_left);
+      const Place more = below_above(children.roots[i], task);
+      sum.nodes += 1 + more.nodes;
+      sum.leaves += more.leaves;
     }
-    int open = width;
-    while (choice.left[open - 1] == 0) --open;
-    choice.open_left = choice.left[open - 1];
-    choice.open_right = std::uint8_t(open - choice.open_left);
-    const float as_node = area * node_cost + choice.cost[width - 1];
-    const float as_leaf =
-        node.count <= BVH_LEAF_WIDTH ? area * leaf_cost : std::numeric_limits<float>::infinity();
-    choice.as_leaf = as_leaf <= as_node;
-    choice.cost[0] = std::min(as_leaf, as_node);
-    // One root may be cheaper than several.
-    for (int k = 2; k <= width && choice.cost[k - 1] > choice.cost[0]; ++k) {
-      choice.cost[k - 1] = choice.cost[0];
-      choice.left[k - 1] = 0;
-    }
+    return sum;
   }
 
-  /// Appends the roots that represent the subtree best with at most k of them.
-  void gather(std::uint32_t index, int k, std::vector<std::uint32_t>& roots) const {
-    const Choice& choice = choices_[index];
-    while (k > 1 && choice.left[k - 1] == 0) --k;
-    if (k == 1) {
-      roots.push_back(index);
-      return;
-    }
-    gather(BinaryTree::left(index), choice.left[k - 1], roots);
-    gather(tree_.right(index), k - choice.left[k - 1], roots);
+  Choices::Children sorted_children(std::uint32_t root) const {
+    Choices::Children children = children_of(root);
+    std::sort(children.roots.begin(), children.roots.begin() + children.count,
+              [&](std::uint32_t a, std::uint32_t b) {
+                const bool leaf_a = choices_.is_leaf(a), leaf_b = choices_.is_leaf(b);
+                if (leaf_a != leaf_b) return leaf_b;
+                const float area_a = tree_.nodes[a].half_area(), area_b = tree_.nodes[b].half_area();
+                return area_a < area_b || (area_a == area_b && a < b);
+              });
+    return children;
   }
 
-  /// The children of the wide node that stands for the subtree.
-  std::vector<std::uint32_t> children_of(std::uint32_t index) const {
-    std::vector<std::uint32_t> roots;
-    gather(BinaryTree::left(index), choices_[index].open_left, roots);
-    gather(tree_.right(index), choices_[index].open_right, roots);
-    return roots;
-  }
-
-  std::uint32_t make_leaf(std::uint32_t index) {
-    const BinaryNode& node = tree_.nodes[index];
+  TriangleLeaf make_leaf(std::uint32_t root) const {
+    const BinaryNode& node = tree_.nodes[root];
     TriangleLeaf leaf = empty_leaf();
     for (std::uint32_t i = 0; i < node.count; ++i) {
       leaf.triangle[i] = tree_.triangles[node.first + i];
@@ -139,54 +154,67 @@ class Collapser {
         for (int axis = 0; axis < 3; ++axis)
           leaf.p[vertex][axis][i] = mesh_.positions[mesh_.triangles[leaf.triangle[i]][vertex]][axis];
     }
-    bvh_.leaves.push_back(leaf);
-    return std::uint32_t(bvh_.leaves.size() - 1) | BVH_LEAF;
+    return leaf;
   }
 
-  /// Writes node `target` with the given children, then their subtrees depth first.
-  void fill(std::uint32_t target, std::vector<std::uint32_t> children, unsigned depth) {
-    bvh_.statistics.depth = std::max(bvh_.statistics.depth, depth);
-    const auto area = [&](std::uint32_t c) { return half_area(tree_.nodes[c].box); };
-    std::sort(children.begin(), children.end(), [&](std::uint32_t a, std::uint32_t b) {
-      const bool leaf_a = choices_[a].as_leaf, leaf_b = choices_[b].as_leaf;
-      if (leaf_a != leaf_b) return leaf_b;
-      return area(a) < area(b) || (area(a) == area(b) && a < b);
-    });
-    const float root_area = half_area(tree_.nodes[0].box);
-    for (std::size_t i = 0; i < children.size(); ++i) {
-      const std::uint32_t child = children[i];
-      const Bounds3& box = tree_.nodes[child].box;
+  /// Writes the job's node and the leaves among its children; returns the children that are nodes.
+  std::vector<Job> fill_node(const Job& job, Place& next, Bvh::Statistics& statistics) {
+    statistics.depth = std::max(statistics.depth, job.depth);
+    const float root_area = tree_.nodes[0].half_area();
+    const Choices::Children children = sorted_children(job.root);
+    std::vector<Job> open;
+    BvhNode made = empty_node();
+    for (std::uint32_t i = 0; i < children.count; ++i) {
+      const std::uint32_t child = children.roots[i];
+      const BinaryNode& node = tree_.nodes[child];
       for (int axis = 0; axis < 3; ++axis) {
-        bvh_.nodes[target].lo[axis][i] =
-            std::nextafter(box.lo[axis], -std::numeric_limits<float>::infinity());
-        bvh_.nodes[target].hi[axis][i] = std::nextafter(box.hi[axis], std::numeric_limits<float>::infinity());
+        made.lo[axis][i] = std::nextafter(node.lo[axis], -infinity);
+        made.hi[axis][i] = std::nextafter(node.hi[axis], infinity);
       }
-      const bool as_leaf = choices_[child].as_leaf;
+      const bool as_leaf = choices_.is_leaf(child);
       if (root_area > 0)
-        bvh_.statistics.sah_cost += (as_leaf ? leaf_cost : node_cost) * area(child) / root_area;
+        statistics.sah_cost += (as_leaf ? bvh_leaf_cost : bvh_node_cost) * node.half_area() / root_area;
       if (as_leaf) {
-        bvh_.nodes[target].child[i] = make_leaf(child);
+        bvh_.leaves[next.leaves] = make_leaf(child);
+        made.child[i] = next.leaves++ | BVH_LEAF;
       } else {
-        bvh_.nodes[target].child[i] = std::uint32_t(bvh_.nodes.size());
-        bvh_.nodes.push_back(empty_node());
+        made.child[i] = next.nodes;
+        open.push_back({child, job.depth + 1, next.nodes++, {}});
       }
     }
-    for (std::size_t i = 0; i < children.size(); ++i) {
-      if (choices_[children[i]].as_leaf) continue;
-      fill(bvh_.nodes[target].child[i], children_of(children[i]), depth + 1);
+    bvh_.nodes[job.target] = made;
+    return open;
+  }
+
+  void fill(const Job& job, Place& next, Bvh::Statistics& statistics) {
+    for (const Job& open : fill_node(job, next, statistics)) fill(open, next, statistics);
+  }
+
+  void fill_above(const Job& job, Place& next) {
+    if (is_task(job.root)) {
+      const Place& count = counts_[jobs_.size()];
+      jobs_.push_back({job.root, job.depth, job.target, next});
+      next.nodes += count.nodes;
+      next.leaves += count.leaves;
+      return;
     }
+    for (const Job& open : fill_node(job, next, bvh_.statistics)) fill_above(open, next);
   }
 
   const BinaryTree& tree_;
   const TriangleMesh& mesh_;
-  std::vector<Choice> choices_;
+  TaskPool& pool_;
+  Choices choices_;
+  std::vector<std::uint32_t> tasks_;  // roots
+  std::vector<Place> counts_;         // below each task's wide node
+  std::vector<Job> jobs_;             // the same tasks, placed
   Bvh bvh_;
 };
 
 }  // namespace
 
-Bvh collapse(const BinaryTree& tree, const TriangleMesh& mesh) {
-  return Collapser(tree, mesh).run();
+Bvh collapse(const BinaryTree& tree, const TriangleMesh& mesh, TaskPool& pool) {
+  return Collapser(tree, mesh, pool).run();
 }
 
 }  // namespace nook

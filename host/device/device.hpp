@@ -61,8 +61,8 @@ class Device {
 
   /// The contents of `data` for the device to read: used in place where memory is shared, so `data` must
   /// outlive the buffer; copied otherwise.
-  template <class T>
-  ClBuffer input(const std::vector<T>& data) const {
+  template <class T, class Allocator>
+  ClBuffer input(const std::vector<T, Allocator>& data) const {
     return input_bytes(data.data(), data.size() * sizeof(T));
   }
 

@@ -10,9 +10,9 @@
 namespace nook {
 namespace {
 
-template <class T>
-std::uint64_t bytes_of(const std::vector<T>& values) {
-  return values.size() * sizeof(T);
+template <class Vector>
+std::uint64_t bytes_of(const Vector& values) {
+  return values.size() * sizeof(values[0]);
 }
 
 void add_passes(const Plan& plan, const TriangleMesh& mesh, PlanReport& report) {
