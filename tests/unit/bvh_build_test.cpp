@@ -122,6 +122,15 @@ TEST(BvhBuild, IsTheSameOnAnyNumberOfThreads) {
   }
 }
 
+// A node is seven cache lines and a leaf five; the kernels fetch them by lines.
+TEST(BvhBuild, BeginsAtCacheLines) {
+  for (const unsigned count : {0u, 1u, 100u, 40000u}) {
+    const Bvh bvh = build_bvh(random_mesh(count, 0.1f, 7));
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(bvh.nodes.data()) % 64, 0u);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(bvh.leaves.data()) % 64, 0u);
+  }
+}
+
 TEST(BvhBuild, HoldsManyTrianglesInOnePlace) {
   TriangleMesh mesh = random_mesh(1, 1, 6);
   mesh.triangles.resize(5000, mesh.triangles[0]);
