@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <memory>
 
 namespace nook {
 
@@ -20,5 +21,8 @@ void add_compare_command(CLI::App& app, Command& chosen);
 void add_study_command(CLI::App& app, Command& chosen);
 void add_devices_command(CLI::App& app, Command& chosen);
 void add_doctor_command(CLI::App& app, Command& chosen);
+
+/// nook with every command; `chosen` must outlive it.
+std::unique_ptr<CLI::App> make_command_line(Command& chosen);
 
 }  // namespace nook

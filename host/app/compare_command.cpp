@@ -22,7 +22,7 @@ struct Options {
 
 int run(const Options& options) {
   if (options.error_image)
-    for (const std::filesystem::path input : {options.compare.a, options.compare.b}) {
+    for (const std::filesystem::path& input : {options.compare.a, options.compare.b}) {
       std::error_code code;
       if (std::filesystem::equivalent(input, *options.error_image, code))
         throw Error(ExitCode::output, fmt::format("--error-image: {} is compared, it would be overwritten",

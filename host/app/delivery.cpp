@@ -34,6 +34,8 @@ nlohmann::ordered_json parse(const fs::path& config) {
     const std::size_t column =
         before.size() - (before.rfind('\n') + 1) + 1;  // without a line break, npos + 1 is 0
     throw Error(ExitCode::scene, fmt::format("{}:{}:{}: not JSON", config.string(), row, column));
+  } catch (const nlohmann::json::out_of_range&) {
+    reject(config, "not JSON: a number is too large");
   }
 }
 

@@ -35,21 +35,27 @@ void add_bent(std::vector<Channel>& channels, const std::string& layer, const Fi
   add_plane(channels, layer + "cone", cones.size(), [&](std::size_t i) { return cones[i].half_angle; });
 }
 
-}  // namespace
-
-AovRequest parse_aovs(const std::vector<std::string>& names) {
-  AovRequest request;
+// Sets what the names ask for; returns the first name that is no channel's, or "".
+std::string request_channels(const std::vector<std::string>& names, AovRequest& request) {
   static constexpr std::pair<std::string_view, bool AovRequest::*> known[] = {
       {"normal", &AovRequest::normal},   {"position", &AovRequest::position},
       {"depth", &AovRequest::depth},     {"variance", &AovRequest::variance},
       {"samples", &AovRequest::samples}, {"alpha", &AovRequest::alpha}};
   for (const std::string& name : names) {
     const auto member = value_of<bool AovRequest::*>(known, name);
-    if (!member)
-      throw Error(ExitCode::usage, "--aov: unknown channel '" + name +
-                                       "', known: normal, position, depth, variance, samples, alpha");
+    if (!member) return name.empty() ? "''" : name;
     request.*(*member) = true;
   }
+  return "";
+}
+
+}  // namespace
+
+AovRequest parse_aovs(const std::vector<std::string>& names) {
+  AovRequest request;
+  if (const std::string unknown = request_channels(names, request); !unknown.empty())
+    throw Error(ExitCode::usage, "--aov: unknown channel '" + unknown +
+                                     "', known: normal, position, depth, variance, samples, alpha");
   return request;
 }
 
@@ -80,7 +86,9 @@ std::vector<Channel> surface_channels(const Plan& plan, const AovRequest& aovs,
 }
 
 Image make_picture(const FilmPart& part) {
-  const AovRequest aovs = parse_aovs(part.aovs);
+  AovRequest aovs;
+  if (!request_channels(part.aovs, aovs).empty())
+    throw Error(ExitCode::scene, "a part asks for a channel that nook does not know");
   Image image;
   image.width = part.films.front().width;
   image.height = part.films.front().height;

@@ -1,5 +1,8 @@
 // nook_fuzz TARGET|all SECONDS [SEED [CORPUS]]: mutated inputs to a reader, without a fuzzing engine; inputs
 // of CORPUS/TARGET/* are seeds too. An input that brings the reader down is left in nook_fuzz.TARGET.input.
+// nook_fuzz --seeds FOLDER: writes the seeds to FOLDER/TARGET/* and the words to FOLDER/TARGET.dict, as
+// libFuzzer and AFL++ read them.
+#include <cctype>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -69,14 +72,40 @@ bool fuzz(Target target, double limit, unsigned seed, const std::filesystem::pat
   return true;
 }
 
+// "ply\n" -> "ply\x0a", as dictionaries want it.
+std::string quoted(const std::string& word) {
+  std::string out;
+  for (const unsigned char c : word) {
+    char code[8];
+    std::snprintf(code, sizeof code, "\\x%02x", unsigned(c));
+    out += std::isalnum(c) || c == ' ' ? std::string(1, char(c)) : code;
+  }
+  return '"' + out + "\"\n";
+}
+
+void write_seeds(const std::filesystem::path& folder) {
+  for (const Target& target : targets()) {
+    std::filesystem::create_directories(folder / target.name);
+    for (std::size_t i = 0; i < target.seeds.size(); ++i)
+      nook::test::write_bytes(folder / target.name / ("seed" + std::to_string(i)), target.seeds[i]);
+    std::string dictionary;
+    for (const std::string& word : target.tokens) dictionary += quoted(word);
+    nook::test::write_bytes(folder / (std::string(target.name) + ".dict"), dictionary);
+  }
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
   if (count < 3) {
-    std::fprintf(stderr, "usage: nook_fuzz TARGET|all SECONDS [SEED [CORPUS]]\n");
+    std::fprintf(stderr, "usage: nook_fuzz TARGET|all SECONDS [SEED [CORPUS]] | --seeds FOLDER\n");
     return 2;
   }
   const std::string wanted = arguments[1];
+  if (wanted == "--seeds") {
+    write_seeds(arguments[2]);
+    return 0;
+  }
   const double limit = std::atof(arguments[2]);
   const unsigned seed = count > 3 ? unsigned(std::atoi(arguments[3])) : 1;
   const std::filesystem::path corpus = count > 4 ? arguments[4] : "";

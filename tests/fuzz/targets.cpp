@@ -1,58 +1,16 @@
 #include "targets.hpp"
 
-#include <filesystem>
 #include <stdexcept>
 
 #include "base/error.hpp"
 #include "film/checkpoint.hpp"
 #include "film/exr.hpp"
-#include "mesh/mesh_analysis.hpp"
-#include "mesh/obj_loader.hpp"
-#include "render/picture.hpp"
-#include "render/points.hpp"
-#include "scene/scene_toml.hpp"
+#include "mesh/ply.hpp"
+#include "readers.hpp"
 #include "temporary_folder.hpp"
 
 namespace nook::fuzz {
 namespace {
-
-void read_scene(const std::string& path) {
-  validate(load_scene(path));
-}
-
-void read_mesh(const std::string& path) {
-  const TriangleMesh mesh = load_obj(path, {.normals = true, .uvs = true, .materials = true, .groups = true});
-  analyse(mesh);
-  // What the device would read without asking.
-  for (const auto& triangle : mesh.triangles)
-    for (const std::uint32_t index : triangle)
-      if (index >= mesh.positions.size()) throw std::logic_error("a position index out of range got through");
-  for (const auto& triangle : mesh.triangle_normals)
-    for (const std::uint32_t index : triangle)
-      if (index != TriangleMesh::no_normal && index >= mesh.normals.size())
-        throw std::logic_error("a normal index out of range got through");
-}
-
-void read_materials(const std::string& path) {
-  const std::filesystem::path mesh = std::filesystem::path(path).parent_path() / "mesh.obj";
-  test::write_bytes(mesh, "mtllib input.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
-  read_mesh(mesh);
-}
-
-void read_points(const std::string& path) {
-  load_points(path, true, Bounds3{vec3(-1), vec3(1)});
-}
-
-void read_part(const std::string& path) {
-  FilmPart part = read_film_part(path);
-  make_picture(part);
-  FilmPart again = part;
-  join_film_part(again, "a", part, "b");
-}
-
-void read_image(const std::string& path) {
-  read_exr(path);
-}
 
 // The bytes of a file as its writer makes it.
 template <class Write>
@@ -86,6 +44,15 @@ std::string seed_image() {
   return bytes_written("a.exr", [&](const auto& path) { write_exr(path, image); });
 }
 
+std::string seed_ply() {
+  TriangleMesh mesh;
+  mesh.positions = {vec3(0), vec3(1, 0, 0), vec3(0, 1, 0)};
+  mesh.triangles = {{0, 1, 2}};
+  const std::vector<vec3> normals(3, vec3(0, 0, 1));
+  const std::vector<VertexProperty> properties = {{"ao", {0, 1, 1}}};
+  return bytes_written("a.ply", [&](const auto& path) { write_ply(path, mesh, normals, properties); });
+}
+
 std::vector<Target> make_targets() {
   return {
       {"scene",
@@ -101,7 +68,7 @@ std::vector<Target> make_targets() {
         "{", "}", "0x7fffffffffffffff", "1979-05-27T07:32:00Z", "exponent", "material", "\\u00e9"}},
       {"mesh",
        "input.obj",
-       read_mesh,
+       read_obj_mesh,
        {"# a\nmtllib none.mtl\no a\ng b c\nusemtl m\ns 1\nv 0 0 0\nv 1 0 0 1 1 1\nv 0 1 0\nv 1 1 1e3\nvt 0 "
         "0\nvt 1 1\nvn 0 0 1\nf 1/1/1 2/2/1 3//1\nf -1 -2 -3 -4\nl 1 2\n",
         "v nan 0 0\nv inf 1 1\nv 1 2 3\nvn 0 0 0\nf 1 2 3\n",
@@ -109,6 +76,16 @@ std::vector<Target> make_targets() {
        {"v ",    "vn ",  "vt ", "f ",         "l ",         "p ",         "usemtl ", "mtllib ",
         "//",    "/",    "-",   "1000000000", "2147483648", "4294967297", "nan",     "inf",
         "1e999", "\\\n", "g ",  "o ",         "t ",         "vw ",        "#"}},
+      {"ply",
+       "input.ply",
+       read_ply_mesh,
+       {seed_ply(),
+        "ply\nformat ascii 1.0\ncomment a\nelement vertex 3\nproperty float x\nproperty double y\nproperty "
+        "float z\nproperty uchar red\nelement face 2\nproperty list uchar int vertex_indices\nproperty int "
+        "a\nend_header\n0 0 0 255\n1 0 0 1\n0 1 0 2\n3 0 1 2 7\n4 0 1 2 1 8\n"},
+       {"ply\n", "format ", "binary_little_endian 1.0\n", "element vertex ", "element face ", "property ",
+        "list ", "uchar ", "char ", "ushort ", "int ", "float32 ", "double ", "x\n", "nx\n",
+        "vertex_indices\n", "end_header\n", "4294967295", "-1"}},
       {"materials",
        "input.mtl",
        read_materials,
@@ -132,6 +109,51 @@ std::vector<Target> make_targets() {
        {seed_image()},
        {"channels", "dataWindow", "compression", "tiledesc", "float", std::string(4, '\xff'),
         std::string(4, '\0'), "\x7f"}},
+      {"study",
+       "input.json",
+       read_study,
+       {"{\"facts\":[{\"name\":\"scene\",\"text\":\"a.toml\"}],\"runs\":[{\"method\":\"a\",\"level\":4,"
+        "\"bias_square\":0,\"pairs\":1,\"runs\":[{\"seed\":1,\"wall_seconds\":0.5,\"device_seconds\":0.4,"
+        "\"rays\":9,\"mse\":1e-4,\"mean_error\":0,\"covered\":0.9,\"error_claimed\":0.01}]}]}"},
+       {"null", "[[", "{}", "-1", "1e999", "\"\"", "\"runs\":", "\\ud800", "true"}},
+      {"delivery",
+       "config.json",
+       read_delivery_config,
+       {"{\"firstlast\":\"A B\",\"id\":1,\"course\":2,\"assignment\":3,\"renders\":[{\"scene\":\"s\","
+        "\"render\":\"offline/a.exr\"}]}"},
+       {"null", "[[", "{}", "-1", "18446744073709551616", "\"\"", "../", "realtime/", ".exr", "\\ud800"}},
+      {"command",
+       "arguments",
+       read_command_line,
+       {"render\na.toml\n--spp\n16\n--size=80x60\n--crop\n0,4,0,4\n--max-distance\n1.5\n--error\n0.01\n",
+        "a.toml\n--spp\n16\n--size=80x60\n--crop\n0,4,0,4\n--max-distance\n1.5\n--exponent\n30\n",
+        "a.toml\n--sampling\nlobe\n--sampler\nhalton\n--shard\n2/8\n--time\n3\n--radius\nauto\n",
+        "probe\na.toml\n--points\na.csv\n--effect\nro\n", "compare\na.exr\nb.exr\n", "merge\na\n-o\nb\n"},
+       {"--spp\n",
+        "--directions\n",
+        "--seed\n",
+        "--size=",
+        "--crop=",
+        "--error\n",
+        "--confidence\n",
+        "--min-spp=",
+        "--checkpoint\n",
+        "--every=",
+        "--resume\n",
+        "--shard=",
+        "slurm",
+        "--threads=",
+        "--device\n",
+        "--quality\n",
+        "--method=",
+        "--help\n",
+        "--aov=",
+        "--\n",
+        "nan",
+        "inf",
+        "1e39",
+        "-1",
+        "99999999999999999999"}},
   };
 }
 
@@ -150,6 +172,7 @@ void run_once(const Target& target, const std::string& input) {
     target.read(path);
   } catch (const Error& error) {
     const std::string message = error.what();
+    if (target.read == read_command_line && error.code() == ExitCode::usage) return;  // quotes arguments
     if (error.code() != ExitCode::scene) throw std::logic_error("exit code of: " + message);
     if (message.empty() || message.find('\n') != std::string::npos)
       throw std::logic_error("not one line: " + message);

@@ -1,5 +1,5 @@
-// The same targets under clang's libFuzzer: NOOK_FUZZ_TARGET names one. Also what AFL++ drives, through its
-// libFuzzer driver.
+// A target under libFuzzer or AFL++ (whose compiler brings a driver for the same function): NOOK_FUZZ_TARGET
+// names it.
 #include <cstdint>
 #include <stdexcept>
 

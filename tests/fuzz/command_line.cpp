@@ -1,0 +1,69 @@
+#include <filesystem>
+#include <sstream>
+
+#include "app/checkpoints.hpp"
+#include "app/commands.hpp"
+#include "app/progress.hpp"
+#include "app/scene_options.hpp"
+#include "app/target_options.hpp"
+#include "base/error.hpp"
+#include "readers.hpp"
+#include "render/picture.hpp"
+#include "temporary_folder.hpp"
+
+namespace nook::fuzz {
+namespace {
+
+// CLI11 takes arguments last first.
+std::vector<std::string> arguments_of(const std::string& text) {
+  std::istringstream lines(text);
+  std::vector<std::string> arguments;
+  for (std::string line; std::getline(lines, line);) arguments.insert(arguments.begin(), line);
+  return arguments;
+}
+
+// The options of a render applied to the scene `file`, whatever scene the command line names.
+void apply_options(std::vector<std::string> arguments, const std::filesystem::path& file) {
+  CLI::App app;
+  SceneOptions scene;
+  DeviceOptions device;
+  CheckpointOptions checkpoints;
+  TargetOptions target;
+  std::vector<std::string> aovs;
+  std::string progress = "auto";
+  scene.add_to(app);
+  device.add_to(app);
+  checkpoints.add_to(app);
+  target.add_to(app);
+  app.add_option("--aov", aovs)->delimiter(',');
+  app.add_option("--progress", progress);
+  app.parse(std::move(arguments));
+  scene.scene = file;
+  to_toml(scene.load());
+  target.check();
+  parse_aovs(aovs);
+  parse_progress(progress);
+  checkpoints.share();
+}
+
+}  // namespace
+
+void read_command_line(const std::string& path) {
+  const std::vector<std::string> arguments = arguments_of(test::read_bytes(path));
+  const std::filesystem::path scene = std::filesystem::path(path).parent_path() / "scene.toml";
+  test::write_bytes(scene, "[input]\nobjfile = \"a.obj\"\n[renderer]\ntype = \"ro\"\n");
+  Command chosen;  // is never run
+  const auto app = make_command_line(chosen);
+  try {
+    app->parse(std::vector<std::string>(arguments));
+  } catch (const CLI::Error&) {
+  }
+  try {
+    apply_options(arguments, scene);
+  } catch (const CLI::Success&) {
+  } catch (const CLI::ParseError& e) {
+    throw Error(ExitCode::usage, e.what());
+  }
+}
+
+}  // namespace nook::fuzz

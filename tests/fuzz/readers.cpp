@@ -1,0 +1,108 @@
+#include "readers.hpp"
+
+#include <xxhash.h>
+
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+
+#include "app/delivery.hpp"
+#include "base/error.hpp"
+#include "film/checkpoint.hpp"
+#include "film/exr.hpp"
+#include "mesh/mesh_analysis.hpp"
+#include "mesh/obj_loader.hpp"
+#include "mesh/ply.hpp"
+#include "render/picture.hpp"
+#include "render/points.hpp"
+#include "report/study_file.hpp"
+#include "scene/scene_toml.hpp"
+#include "temporary_folder.hpp"
+
+namespace nook::fuzz {
+namespace {
+
+constexpr MeshAttributes everything = {.normals = true, .uvs = true, .materials = true, .groups = true};
+
+// What the device would read without asking.
+void use(const TriangleMesh& mesh) {
+  analyse(mesh);
+  for (const auto& triangle : mesh.triangles)
+    for (const std::uint32_t index : triangle)
+      if (index >= mesh.positions.size()) throw std::logic_error("a position index out of range got through");
+  for (const auto& triangle : mesh.triangle_normals)
+    for (const std::uint32_t index : triangle)
+      if (index != TriangleMesh::no_normal && index >= mesh.normals.size())
+        throw std::logic_error("a normal index out of range got through");
+}
+
+// Where a part has its checksums, see docs/checkpoints.md.
+void mend_checksums(std::string& part) {
+  constexpr std::size_t header = 24;
+  std::uint32_t length = 0;
+  if (part.size() < header + 8) return;
+  std::memcpy(&length, part.data() + 12, sizeof length);
+  if (length > part.size() - header - 8) return;
+  const std::uint64_t first = XXH3_64bits(part.data() + header, length),
+                      second = XXH3_64bits(part.data() + header + length, part.size() - header - length - 8);
+  std::memcpy(part.data() + 16, &first, sizeof first);
+  std::memcpy(part.data() + part.size() - 8, &second, sizeof second);
+}
+
+void use_part(const std::string& path) {
+  FilmPart part = read_film_part(path);
+  make_picture(part);
+  FilmPart again = part;
+  join_film_part(again, "a", part, "b");
+}
+
+}  // namespace
+
+void read_scene(const std::string& path) {
+  validate(load_scene(path));
+}
+
+void read_obj_mesh(const std::string& path) {
+  use(load_obj(path, everything));
+}
+
+void read_ply_mesh(const std::string& path) {
+  use(load_ply(path, everything));
+}
+
+void read_materials(const std::string& path) {
+  const std::filesystem::path mesh = std::filesystem::path(path).parent_path() / "mesh.obj";
+  test::write_bytes(mesh, "mtllib input.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
+  read_obj_mesh(mesh);
+}
+
+void read_points(const std::string& path) {
+  load_points(path, true, Bounds3{vec3(-1), vec3(1)});
+}
+
+void read_part(const std::string& path) {
+  std::string bytes = test::read_bytes(path);
+  try {
+    use_part(path);
+  } catch (const Error&) {
+    mend_checksums(bytes);
+    test::write_bytes(path, bytes);
+    use_part(path);
+  }
+}
+
+void read_image(const std::string& path) {
+  read_exr(path);
+}
+
+void read_study(const std::string& path) {
+  read_study_points(path, {{"scene", "a.toml"}}, {"scene"});
+}
+
+void read_delivery_config(const std::string& path) {
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  test::write_bytes(folder / "a.toml", "[input]\nobjfile = \"a.obj\"\n");
+  read_delivery(path, "", {folder});
+}
+
+}  // namespace nook::fuzz
