@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "base/input_file.hpp"
 #include "scene/scene_toml.hpp"
 
 namespace nook {
@@ -20,10 +21,7 @@ namespace fs = std::filesystem;
 }
 
 nlohmann::ordered_json parse(const fs::path& config) {
-  std::error_code code;
-  if (!fs::exists(config, code)) reject(config, "no such file");
-  if (!fs::is_regular_file(config, code)) reject(config, "not a regular file");
-  if (fs::file_size(config, code) > 1u << 20) reject(config, "too large for a config.json (over 1 MiB)");
+  if (size_of_input(config) > 1u << 20) reject(config, "too large for a config.json (over 1 MiB)");
   std::ifstream in(config, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   try {

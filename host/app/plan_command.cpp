@@ -23,7 +23,7 @@ struct PlanOptions {
 // 1234567 -> "1 234 567"
 std::string grouped(std::uint64_t number) {
   std::string digits = std::to_string(number);
-  for (std::size_t place = digits.size(); place > 3; place -= 3) digits.insert(place - 3, " ");
+  for (std::size_t place = digits.size(); place > 3; place -= 3) digits.insert(place - 3, 1, ' ');
   return digits;
 }
 

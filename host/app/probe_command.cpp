@@ -3,7 +3,7 @@
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
+#include <iostream>
 #include <limits>
 
 #include "app/commands.hpp"
@@ -57,8 +57,10 @@ int probe(const ProbeOptions& options) {
   const Scene scene = probe_scene(options);
   const TriangleMesh mesh = load_scene_mesh(scene, {.normals = false});
   const Plan plan = make_plan(scene, mesh);
+  const bool needs_view = scene.effects.front().kind == EffectKind::ro;
   const std::vector<SurfacePoint> points =
-      load_points(options.points, scene.effects.front().kind == EffectKind::ro, mesh.bounds);
+      options.points == "-" ? read_points(std::cin, "standard input", needs_view, mesh.bounds)
+                            : load_points(options.points, needs_view, mesh.bounds);
   const Device device = options.device.open();
   const Bvh bvh = build_bvh(mesh);
   PathTracer tracer(device, plan, mesh, bvh);
@@ -81,8 +83,9 @@ void add_probe_command(CLI::App& app, Command& chosen) {
   options->scene.add_to(*command);
   options->device.add_to(*command);
   command
-      ->add_option("--points", options->points,
-                   "CSV rows px,py,pz,nx,ny,nz[,vx,vy,vz]; v: direction to the viewer (RO)")
+      ->add_option(
+          "--points", options->points,
+          "CSV rows px,py,pz,nx,ny,nz[,vx,vy,vz]; v: direction to the viewer (RO); -: standard input")
       ->required();
   command->add_option("--effect", options->effect, "ao or ro; default: the scene's")
       ->check(CLI::IsMember({"ao", "ro"}));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "film/exr.hpp"
 #include "film/png.hpp"
@@ -49,7 +50,11 @@ double write_error_image(const std::filesystem::path& path, const Image& differe
     green[i] = 1 - std::abs(t);
     blue[i] = t > 0 ? 1 - t : 1;
   }
-  write_png(path, {difference.width, difference.height, {{"R", red}, {"G", green}, {"B", blue}}, {}});
+  Image colors{difference.width, difference.height, {}, {}};
+  colors.channels.push_back({"R", std::move(red)});
+  colors.channels.push_back({"G", std::move(green)});
+  colors.channels.push_back({"B", std::move(blue)});
+  write_png(path, colors);
   return scale;
 }
 

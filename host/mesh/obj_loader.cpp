@@ -15,6 +15,7 @@
 #include <streambuf>
 
 #include "base/error.hpp"
+#include "base/input_file.hpp"
 #include "mesh/mtl_scan.hpp"
 #include "mesh/obj_scan.hpp"
 
@@ -49,15 +50,8 @@ class MaterialFiles : public tinyobj::MaterialReader {
 };
 
 std::string read_text(const std::filesystem::path& path) {
-  std::error_code code;
-  const auto status = std::filesystem::status(path, code);
-  if (!std::filesystem::exists(status))
-    throw Error(ExitCode::scene, fmt::format("{}: no such file", path.string()));
-  if (!std::filesystem::is_regular_file(status))
-    throw Error(ExitCode::scene, fmt::format("{}: not a regular file", path.string()));
+  std::string text(size_of_input(path), '\0');
   std::ifstream in(path, std::ios::binary);
-  const auto size = std::filesystem::file_size(path, code);
-  std::string text(code ? 0 : size, '\0');
   if (!in || !in.read(text.data(), std::streamsize(text.size())))
     throw Error(ExitCode::scene, fmt::format("{}: cannot be read ({})", path.string(), std::strerror(errno)));
   return text;

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
+#include "base/input_file.hpp"
 #include "mesh/ply.hpp"
 
 namespace nook {
@@ -40,10 +41,7 @@ struct Element {
 class PlyFile {
  public:
   explicit PlyFile(const std::filesystem::path& path) : name_(path.string()) {
-    std::error_code code;
-    if (!std::filesystem::exists(path, code)) throw Error(ExitCode::scene, name_ + ": no such file");
-    if (!std::filesystem::is_regular_file(path, code))
-      throw Error(ExitCode::scene, name_ + ": not a regular file");
+    size_of_input(path);
     std::ifstream in(path, std::ios::binary);
     text_.assign(std::istreambuf_iterator<char>(in), {});
     if (!in && text_.empty()) throw Error(ExitCode::scene, name_ + ": cannot be read");

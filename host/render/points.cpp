@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "base/input_file.hpp"
 
 namespace nook {
 namespace {
@@ -67,16 +68,8 @@ SurfacePoint surface_point(const vec3& position, const vec3& normal, const vec3&
   return point;
 }
 
-std::vector<SurfacePoint> load_points(const std::filesystem::path& path, bool needs_view,
+std::vector<SurfacePoint> read_points(std::istream& in, const std::string& name, bool needs_view,
                                       const Bounds3& bounds) {
-  const std::string file = path.string();
-  std::error_code code;
-  if (!std::filesystem::exists(path, code))
-    throw Error(ExitCode::scene, fmt::format("{}: no such file", file));
-  if (!std::filesystem::is_regular_file(path, code))
-    throw Error(ExitCode::scene, fmt::format("{}: not a regular file", file));
-  std::ifstream in(path);
-  if (!in) throw Error(ExitCode::scene, fmt::format("{}: cannot be read", file));
   std::vector<SurfacePoint> points;
   std::string line;
   bool first = true;
@@ -88,7 +81,7 @@ std::vector<SurfacePoint> load_points(const std::filesystem::path& path, bool ne
     first = false;
     if (header) continue;
     auto fail = [&](const std::string& what) {
-      throw Error(ExitCode::scene, fmt::format("{}:{}: {}", file, row, what));
+      throw Error(ExitCode::scene, fmt::format("{}:{}: {}", name, row, what));
     };
     if (!wrong.empty()) fail(fmt::format("'{}' is not a finite number", wrong));
     if (n.size() != 6 && n.size() != 9)
@@ -101,7 +94,16 @@ std::vector<SurfacePoint> load_points(const std::filesystem::path& path, bool ne
                          : "RO needs the view direction: px,py,pz,nx,ny,nz,vx,vy,vz");
     points.push_back(surface_point(vec3(float(n[0]), float(n[1]), float(n[2])), normal, view, bounds));
   }
+  if (points.empty()) throw Error(ExitCode::scene, fmt::format("{}: there are no points", name));
   return points;
+}
+
+std::vector<SurfacePoint> load_points(const std::filesystem::path& path, bool needs_view,
+                                      const Bounds3& bounds) {
+  size_of_input(path);
+  std::ifstream in(path);
+  if (!in) throw Error(ExitCode::scene, fmt::format("{}: cannot be read", path.string()));
+  return read_points(in, path.string(), needs_view, bounds);
 }
 
 }  // namespace nook

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "base/input_file.hpp"
 #include "base/pending_file.hpp"
 
 namespace nook {
@@ -158,8 +159,10 @@ void write_study_csv(const std::filesystem::path& path, const Study& study) {
 
 std::vector<StudyPoint> read_study_points(const std::filesystem::path& path, const StudyFacts& facts,
                                           const std::vector<std::string>& identity) {
+  std::error_code code;
+  if (!std::filesystem::exists(path, code)) return {};
+  size_of_input(path);
   std::ifstream file(path);
-  if (!file) return {};
   try {
     const json j = json::parse(file);
     std::map<std::string, std::string> before, now(facts.begin(), facts.end());

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/input_file.hpp"
 #include "scene/effect_toml.hpp"
 #include "scene/input_toml.hpp"
 #include "scene/toml_table.hpp"
@@ -63,14 +64,8 @@ void read_film(TomlTable& film, Scene& scene) {
 }
 
 toml::table parse(const std::filesystem::path& path) {
-  std::error_code code;
-  const auto status = std::filesystem::status(path, code);
-  if (!std::filesystem::exists(status))
-    throw Error(ExitCode::scene, fmt::format("{}: no such file", path.string()));
-  if (!std::filesystem::is_regular_file(status))
-    throw Error(ExitCode::scene, fmt::format("{}: not a regular file", path.string()));
-  constexpr std::uintmax_t largest = 16u << 20;
-  if (std::filesystem::file_size(path, code) > largest)
+  constexpr std::uint64_t largest = 16u << 20;
+  if (size_of_input(path) > largest)
     throw Error(ExitCode::scene, fmt::format("{}: too large for a scene file (over 16 MiB)", path.string()));
   try {
     return toml::parse_file(path.string());

@@ -1,5 +1,6 @@
 #include "targets.hpp"
 
+#include <filesystem>
 #include <stdexcept>
 
 #include "base/error.hpp"
@@ -167,6 +168,7 @@ const std::vector<Target>& targets() {
 void run_once(const Target& target, const std::string& input) {
   static const test::TemporaryFolder folder;
   const std::string path = (folder / target.file).string();
+  std::filesystem::remove(path);  // a file cut to nothing and written again is flushed to the disk by ext4
   test::write_bytes(path, input);
   try {
     target.read(path);

@@ -2,6 +2,7 @@
 // and the cases that must be exact to the bit.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
@@ -9,8 +10,10 @@
 #include "render/points.hpp"
 #include "support/estimates.hpp"
 #include "support/meshes.hpp"
+#include "support/program.hpp"
 #include "support/rendering.hpp"
 #include "support/statistics.hpp"
+#include "temporary_folder.hpp"
 
 namespace nook::test {
 namespace {
@@ -182,6 +185,21 @@ TEST(Points, ReportedErrorsAreTrue) {
     Moments m = moments(std::span<const double>(values));
     EXPECT_NEAR(reported / m.variance, 1, 4 * m.variance_error / m.variance) << name_of(sampling);
   }
+}
+
+TEST(Points, ComeFromAFileOrStandardInput) {
+  TemporaryFolder folder;
+  write_bytes(folder / "mesh.obj", "v -9 0 0\nv 9 0 0\nv 0 9 9\nf 1 2 3\n");
+  write_bytes(folder / "points.csv", "px,py,pz,nx,ny,nz\n0,0,1,0,0,1\n0 1 0.5 0 1 0\n");
+  ProgramSetting setting;
+  setting.folder = folder.path();
+  setting.arguments = {"probe", "mesh.obj", "--samples", "64", "--points", "points.csv"};
+  const ProgramResult from_file = run_program(NOOK_PROGRAM, setting);
+  EXPECT_EQ(from_file.code, 0) << from_file.err;
+  EXPECT_EQ(std::count(from_file.out.begin(), from_file.out.end(), '\n'), 3) << from_file.out;
+  setting.arguments.back() = "-";
+  setting.standard_input = (folder / "points.csv").string();
+  EXPECT_EQ(run_program(NOOK_PROGRAM, setting).out, from_file.out);
 }
 
 // Furnace: nothing above a floor, and nothing but walls around; not one ray may be wrong.

@@ -69,8 +69,8 @@ RunningProgram::RunningProgram(const std::string& program, const ProgramSetting&
   if (child_ > 0) return;
   // Between fork and exec only what is safe in a signal handler: the parent has threads.
   const int out = ::open(output.c_str(), O_WRONLY | O_TRUNC), err = ::open(errors_.c_str(), O_WRONLY);
-  const int none = ::open("/dev/null", O_RDONLY);
-  if (::dup2(none, 0) < 0 || ::dup2(out, 1) < 0 || ::dup2(err, 2) < 0) ::_exit(126);
+  const int in = ::open(setting.standard_input.c_str(), O_RDONLY);
+  if (::dup2(in, 0) < 0 || ::dup2(out, 1) < 0 || ::dup2(err, 2) < 0) ::_exit(126);
   if (!setting.folder.empty() && ::chdir(setting.folder.c_str()) != 0) ::_exit(126);
   if (setting.file_size != RLIM_INFINITY) ::signal(SIGXFSZ, SIG_IGN);
   limit(RLIMIT_FSIZE, setting.file_size);

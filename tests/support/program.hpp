@@ -25,7 +25,8 @@ struct ProgramSetting {
   rlim_t file_size = RLIM_INFINITY;  ///< bytes; writing beyond fails as on a full disk (EFBIG)
   rlim_t address_space = RLIM_INFINITY;
   std::string standard_output;  ///< a file to write to instead of ProgramResult::out, e.g. /dev/full
-  double timeout = 60;          ///< seconds; then it is killed, and the result's code is 137
+  std::string standard_input = "/dev/null";  ///< a file
+  double timeout = 60;                       ///< seconds; then it is killed, and the result's code is 137
 };
 
 /// A program under way, its output collected; killed if it still runs when destroyed.

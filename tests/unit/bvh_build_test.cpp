@@ -73,7 +73,9 @@ struct Visit {
       const vec3 e = box.hi - box.lo;
       const float area = e.x * e.y + e.y * e.z + e.z * e.x;
       ASSERT_TRUE(is_leaf || !leaves_begun) << "a node after a leaf";
-      if (is_leaf == leaves_begun) ASSERT_GE(area, last_area * 0.999f) << "slots are ordered by rising area";
+      if (is_leaf == leaves_begun) {
+        ASSERT_GE(area, last_area * 0.999f) << "slots are ordered by rising area";
+      }
       leaves_begun = is_leaf;
       last_area = area;
       if (is_leaf)
