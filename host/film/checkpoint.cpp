@@ -255,7 +255,7 @@ FilmPart read_checked(const std::filesystem::path& path) {
     if (const std::string why = from_json(nlohmann::json::parse(header), part, extent, boxes); !why.empty())
       reject(path, "damaged: " + why);
   } catch (const nlohmann::json::exception& e) {
-    reject(path, fmt::format("damaged: its header cannot be read ({})", e.what()));
+    reject(path, fmt::format("damaged: its header cannot be read (JSON error {})", e.id));
   } catch (const std::out_of_range& e) {
     reject(path, fmt::format("damaged: its header's {} is impossible", e.what()));
   }
