@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <future>
 
 #include "app/checkpoints.hpp"
 #include "app/commands.hpp"
@@ -49,6 +50,9 @@ struct RenderOptions {
 
 class Stopwatch {
  public:
+  double elapsed() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - last_).count();
+  }
   double lap() {
     const auto now = std::chrono::steady_clock::now();
     const double seconds = std::chrono::duration<double>(now - last_).count();
@@ -258,17 +262,21 @@ int render(const RenderOptions& options) {
   Stopwatch whole, watch;
   RunRecord record;
   record.scene_file = options.scene.scene.string();
+  // Starting OpenCL takes longer than reading a small mesh, compiling about as long as building a tree.
+  std::future<Device> opened = std::async(std::launch::async, [&] { return options.device.open(); });
   const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene, aovs.needs_surface()));
   record.seconds.load = watch.lap();
   record.plan = options.target.plan_for(make_plan(scene, mesh, aovs.needs_surface()));
   record.triangles = mesh.triangles.size();
-  const Device device = options.device.open();
+  const Device device = opened.get();
   record.device = device.info();
   if (!options.quiet) announce(record.plan, record);
   watch.lap();
-  const Bvh bvh = build_bvh(mesh);
+  std::future<PathTracer::Programs> programs =
+      std::async(std::launch::async, [&] { return PathTracer::build_programs(device, record.plan); });
+  const Bvh bvh = build_bvh(mesh, {.threads = options.device.threads});
   record.seconds.bvh = watch.lap();
-  PathTracer tracer(device, record.plan, mesh, bvh);
+  PathTracer tracer(device, record.plan, mesh, bvh, kernel_source, Traversal::automatic, programs.get());
   record.seconds.compile = tracer.build_seconds();
   record.kernels_from_cache = tracer.all_from_cache();
   record.scene_hash = scene_hash(scene);
@@ -303,6 +311,7 @@ int render(const RenderOptions& options) {
   session.part().aovs = options.aovs;
   session.part().metadata = as_texts(record.metadata());
   watch.lap();
+  record.seconds.before_first_ray = whole.elapsed();
 
   catch_interrupts();
   const Deadline deadline(start, options.target.seconds);

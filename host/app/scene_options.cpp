@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "film/exr.hpp"
 #include "render/plan.hpp"
 #include "scene/names.hpp"
 #include "scene/scene_toml.hpp"
@@ -168,6 +169,7 @@ void DeviceOptions::add_to(CLI::App& command) {
 
 Device DeviceOptions::open() const {
   limit_threads(threads);
+  limit_exr_threads(threads);
   return Device(select_device(selector));
 }
 

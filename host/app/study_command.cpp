@@ -159,7 +159,7 @@ int study(const StudyOptions& options) {
 
   const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene, false));
   const Device device = options.device.open();
-  const Bvh bvh = build_bvh(mesh);
+  const Bvh bvh = build_bvh(mesh, {.threads = options.device.threads});
   catch_interrupts();
 
   // As many pixels as the budget can afford; the size of an earlier study in the folder, so that it can go

@@ -15,6 +15,9 @@ enum class ExrPrecision { full, half };
 void write_exr(const std::filesystem::path& path, const Image& image,
                ExrPrecision precision = ExrPrecision::full);
 
+/// Threads that compress, in the whole process; 0: all. To be called before the first write_exr().
+void limit_exr_threads(unsigned threads);
+
 /// Reads every channel of a (single-part, scanline or tiled) OpenEXR file; HALF becomes float.
 /// Throws Error(scene) with one line, also when the header claims more pixels than the file can hold.
 Image read_exr(const std::filesystem::path& path);

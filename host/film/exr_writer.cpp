@@ -54,11 +54,20 @@ void require_planes(const Image& image) {
 
 }  // namespace
 
+namespace {
+unsigned most_threads = 0;
+}
+
+void limit_exr_threads(unsigned threads) {
+  most_threads = threads;
+}
+
 void write_exr(const std::filesystem::path& path, const Image& image, ExrPrecision precision) {
   require_planes(image);
   // Compression is most of the time spent here, and the bytes do not depend on the number of threads.
-  static const bool threads_set =
-      (Imf::setGlobalThreadCount(static_cast<int>(std::thread::hardware_concurrency())), true);
+  static const bool threads_set = (Imf::setGlobalThreadCount(static_cast<int>(
+                                       most_threads ? most_threads : std::thread::hardware_concurrency())),
+                                   true);
   (void)threads_set;
 
   Imf::Header header(image.width, image.height);

@@ -30,6 +30,16 @@ void set_arg(cl_kernel kernel, cl_uint& index, const ClBuffer& buffer) {
   set_arg(kernel, index, memory);
 }
 
+bool is_scalar(const Device& device, Traversal traversal) {
+  return traversal == Traversal::automatic ? !device.info().is_cpu() : traversal == Traversal::scalar;
+}
+
+BuildOptions options_of(const KernelPlan& kernel, bool scalar_traversal) {
+  BuildOptions options = kernel.options;
+  if (scalar_traversal) options.define("TRAVERSAL_SCALAR", 1);
+  return options;
+}
+
 // What a finished kernel took; 0 where the device keeps no time.
 double seconds_of(const ClEvent& kernel) {
   cl_ulong start = 0, end = 0;
@@ -65,15 +75,15 @@ struct PathTracer::Slot {
 };
 
 PathTracer::PathTracer(const Device& device, const Plan& plan, const TriangleMesh& mesh, const Bvh& bvh,
-                       const KernelSource& source, Traversal traversal)
+                       const KernelSource& source, Traversal traversal, Programs programs)
     : device_(device),
       plan_(plan),
-      scalar_traversal_(traversal == Traversal::automatic ? !device.info().is_cpu()
-                                                          : traversal == Traversal::scalar),
+      scalar_traversal_(is_scalar(device, traversal)),
       nodes_(device.input(bvh.nodes)),
       leaves_(device.input(bvh.leaves)),
       positions_(device.input(mesh.positions)),
-      triangles_(device.input(mesh.triangles)) {
+      triangles_(device.input(mesh.triangles)),
+      programs_(programs.empty() ? build_programs(device, plan, source, traversal) : std::move(programs)) {
   // What no kernel reads is not uploaded; an argument needs a buffer all the same.
   const auto optional = [&](bool wanted, const auto& data) {
     return wanted ? device.input(data) : device.buffer(0, CL_MEM_READ_ONLY);
@@ -82,22 +92,31 @@ PathTracer::PathTracer(const Device& device, const Plan& plan, const TriangleMes
   triangle_normals_ = optional(plan_.vertex_normals, mesh.triangle_normals);
   triangle_materials_ = optional(plan_.materials, mesh.triangle_material);
   exponents_ = optional(!plan_.exponents.empty(), plan_.exponents);
-  primary_ = build(primary_kernel(plan_), source);
-  for (const EffectPlan& effect : plan_.effects)
-    effects_.push_back(build(occlusion_kernel(plan_, effect), source));
+  for (const auto& [key, program] : programs_) {
+    build_seconds_ += program.seconds;
+    all_from_cache_ = all_from_cache_ && program.from_cache;
+  }
+  primary_ = kernel(primary_kernel(plan_));
+  for (const EffectPlan& effect : plan_.effects) effects_.push_back(kernel(occlusion_kernel(plan_, effect)));
   counters_.effect_rays.resize(effects_.size());
 }
 
-ClKernel PathTracer::build(const KernelPlan& kernel, const KernelSource& source) {
-  BuildOptions options = kernel.options;
-  if (scalar_traversal_) options.define("TRAVERSAL_SCALAR", 1);
-  const auto [place, fresh] = programs_.try_emplace(kernel.file + options.text());
-  if (fresh) {
-    place->second = build_program(device_, source(kernel.file), options);
-    build_seconds_ += place->second.seconds;
-    all_from_cache_ = all_from_cache_ && place->second.from_cache;
-  }
-  return place->second.kernel(kernel.entry.c_str());
+PathTracer::Programs PathTracer::build_programs(const Device& device, const Plan& plan,
+                                                const KernelSource& source, Traversal traversal) {
+  Programs programs;
+  const auto add = [&](const KernelPlan& kernel) {
+    const BuildOptions options = options_of(kernel, is_scalar(device, traversal));
+    const auto [place, fresh] = programs.try_emplace(kernel.file + options.text());
+    if (fresh) place->second = build_program(device, source(kernel.file), options);
+  };
+  add(primary_kernel(plan));
+  for (const EffectPlan& effect : plan.effects) add(occlusion_kernel(plan, effect));
+  return programs;
+}
+
+ClKernel PathTracer::kernel(const KernelPlan& kernel) const {
+  return programs_.at(kernel.file + options_of(kernel, scalar_traversal_).text())
+      .kernel(kernel.entry.c_str());
 }
 
 EstimatorParams PathTracer::params_for(const EffectPlan& effect, const Batch& batch) const {

@@ -54,10 +54,19 @@ class PathTracer {
   /// planted.
   using KernelSource = std::function<std::string(const std::string& file)>;
 
-  /// `mesh` and `bvh` must outlive it: where device and host share memory they are used in place.
-  /// Throws Error(device).
+  /// The programs of a plan, by file and options.
+  using Programs = std::map<std::string, BuiltProgram>;
+  /// Builds them, from the disk cache or by compiling, with nothing but the plan: while the tree is built, in
+  /// another thread. Throws Error(device).
+  static Programs build_programs(const Device& device, const Plan& plan,
+                                 const KernelSource& source = kernel_source,
+                                 Traversal traversal = Traversal::automatic);
+
+  /// `programs` are those of the plan if they are built already. `mesh` and `bvh` must outlive it: where
+  /// device and host share memory they are used in place. Throws Error(device).
   PathTracer(const Device& device, const Plan& plan, const TriangleMesh& mesh, const Bvh& bvh,
-             const KernelSource& source = kernel_source, Traversal traversal = Traversal::automatic);
+             const KernelSource& source = kernel_source, Traversal traversal = Traversal::automatic,
+             Programs programs = {});
 
   /// Goes on with other samples of the same picture: spp camera samples a pixel in the whole render (at least
   /// 2 unless it was planned with 1), from another seed.
@@ -105,7 +114,7 @@ class PathTracer {
   // Fills the next batch; false when there is none.
   using NextBatch = std::function<bool(Batch&)>;
 
-  ClKernel build(const KernelPlan& kernel, const KernelSource& source);
+  ClKernel kernel(const KernelPlan& kernel) const;
   EstimatorParams params_for(const EffectPlan& effect, const Batch& batch) const;
   void launch(cl_kernel kernel, std::size_t count, ClEvent* event = nullptr);
   void submit(Slot& slot);
@@ -117,8 +126,7 @@ class PathTracer {
   bool scalar_traversal_ = false;
   ClBuffer nodes_, leaves_, positions_, triangles_, normals_, triangle_normals_, triangle_materials_,
       exponents_;
-  std::map<std::string, BuiltProgram>
-      programs_;  // by file and options: effects with the same options share one
+  Programs programs_;  // effects with the same options share one
   ClKernel primary_;
   std::vector<ClKernel> effects_;
   RenderCounters counters_;

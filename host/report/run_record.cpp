@@ -133,6 +133,7 @@ void write_stats(const std::filesystem::path& path, const RunRecord& r) {
         {"compile", r.seconds.compile},
         {"render", r.seconds.render},
         {"write", r.seconds.write},
+        {"before_first_ray", r.seconds.before_first_ray},
         {"total", r.seconds.total}}}};
   if (r.error)
     json["error"] = {{"asked", r.error->asked > 0 ? nlohmann::json(r.error->asked) : nlohmann::json()},

@@ -18,6 +18,7 @@ namespace nook {
 /// Wall-clock seconds of the parts of a run.
 struct RunSeconds {
   double load = 0, bvh = 0, compile = 0, render = 0, write = 0, total = 0;
+  double before_first_ray = 0;  ///< of the total: until the first kernel is launched
 };
 
 /// A screen-space effect of a run: what was drawn, and the fastest time of each pass over its frames.
