@@ -120,6 +120,15 @@ BenchScene room() {
   return {"room", std::move(mesh), {2.6f, 1.7f, 3.6f}, {-0.6f, 0.7f, -0.6f}, 60};
 }
 
+/// A knotted tube above a floor, of about as many triangles as are asked for: one shape at any fineness.
+BenchScene knot(double triangles) {
+  const int m = std::max(3, int(std::lround(std::sqrt(triangles / 32)))), n = 16 * m;
+  TriangleMesh mesh;
+  add_knot(mesh, {0, 0.6f, 0}, 1.0f, 2, 3, 0.15f, n, m);
+  add_quad(mesh, {-6, 0, -6}, {-6, 0, 6}, {6, 0, 6}, {6, 0, -6});
+  return {"knot", std::move(mesh), {1.6f, 2.2f, 2.4f}, {0, 0.5f, 0}, 40};
+}
+
 /// Five walls, two blocks and a lamp.
 BenchScene cornell() {
   TriangleMesh mesh;
@@ -151,6 +160,7 @@ BenchScene bench_scene(const std::string& name) {
   if (name == "bunny") return bunny();
   if (name == "room") return room();
   if (name == "cornell") return cornell();
+  if (name.starts_with("knot:")) return knot(std::stod(name.substr(5)));
   if (name == "spaceship") {
     BenchScene scene = from_file(name, NOOK_SOURCE_DIR "/scenes/generated/spaceship.obj");
     scene.eye = {4.5f, 0.65f, -0.15f};  // the course's camera

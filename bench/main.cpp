@@ -2,7 +2,10 @@
 #include <cstdio>
 
 #include "base/error.hpp"
+#include "end_to_end.hpp"
 #include "occlusion.hpp"
+#include "record.hpp"
+#include "scaling.hpp"
 #include "ssao.hpp"
 #include "tree.hpp"
 
@@ -11,7 +14,13 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   nook::bench::add_occlusion(app);
   nook::bench::add_tree(app);
+  nook::bench::add_end_to_end(app);
+  nook::bench::add_overhead(app);
+  nook::bench::add_scaling(app);
   nook::bench::add_ssao(app);
+  app.add_subcommand("machine", "Describe the machine")->callback([] {
+    std::fputs(nook::bench::machine_description().c_str(), stdout);
+  });
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -1,5 +1,9 @@
 #include "record.hpp"
 
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
 #include <ctime>
@@ -8,6 +12,7 @@
 #include <thread>
 
 #include "base/error.hpp"
+#include "device/device.hpp"
 
 namespace nook::bench {
 namespace {
@@ -19,7 +24,24 @@ std::string processor() {
   return "unknown";
 }
 
+std::string system_name() {
+  std::ifstream file("/etc/os-release");
+  for (std::string line; std::getline(file, line);)
+    if (line.rfind("PRETTY_NAME=", 0) == 0) return line.substr(13, line.size() - 14);
+  return "unknown system";
+}
+
 }  // namespace
+
+std::string machine_description() {
+  const DeviceInfo device = select_device("");
+  return fmt::format(
+      "{}, {} hardware threads, {:.0f} GB; {}; {} {} ({}, vectors of {} floats); Embree {}; GCC {}.\n",
+      processor(), std::thread::hardware_concurrency(),
+      double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGE_SIZE)) * 1e-9, system_name(),
+      device.platform_name, device.driver, device.name, device.native_float_width, RTC_VERSION_STRING,
+      __VERSION__);
+}
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());

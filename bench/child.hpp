@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace nook::bench {
+
+/// What a child process took from its start to its end.
+struct ChildTimes {
+  double wall_seconds = 0;
+  double cpu_seconds = 0;  ///< user and system, of all its threads
+  double peak_bytes = 0;   ///< resident
+};
+
+/// Runs a program to its end, its output going where ours goes; `environment` is added to ours. Throws
+/// Error(internal) if it cannot be started or fails.
+ChildTimes run_child(const std::vector<std::string>& command,
+                     const std::map<std::string, std::string>& environment = {});
+
+/// A program of this build: it lies beside this one.
+std::filesystem::path program_beside(const std::string& name);
+
+/// A folder that is removed with what it holds.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace nook::bench

@@ -1,0 +1,261 @@
+#include "scaling.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "bvh/bvh.hpp"
+#include "child.hpp"
+#include "mesh/ply.hpp"
+#include "record.hpp"
+#include "render/path_tracer.hpp"
+#include "scene_files.hpp"
+#include "stopwatch.hpp"
+
+namespace nook::bench {
+namespace {
+
+struct Settings {
+  unsigned rounds = 3, threads = 2;
+  double most_triangles = 1e7;
+  std::string output, options_output;
+  bool cpu_time = false;
+};
+
+constexpr unsigned base_triangles = 1000000;
+
+std::string knot(double triangles) {
+  return "knot:" + std::to_string(std::size_t(triangles));
+}
+
+// ---- Whole processes: time and memory along one axis ----
+
+class Sweep {
+ public:
+  explicit Sweep(const Settings& settings) : s_(settings) {}
+
+  void use(const std::string& scene_name) {
+    if (scene_name == scene_name_) return;
+    scene_name_ = scene_name;
+    BenchScene scene = bench_scene(scene_name);
+    triangles_ = scene.mesh.triangles.size();
+    // Without normals of its own a vertex shades with its triangle's.
+    write_ply(files_ / "mesh.ply", scene.mesh, std::vector<vec3>(scene.mesh.positions.size(), vec3(0)), {});
+    scene.mesh = {};
+    scene_ = std::move(scene);
+  }
+
+  void measure(const char* axis, double value, const PictureSettings& picture, unsigned threads) {
+    write_scene(files_ / "scene.toml", "mesh.ply", scene_, picture);
+    const std::vector<std::string> command = {program_beside("nook"),
+                                              "render",
+                                              files_ / "scene.toml",
+                                              "-o",
+                                              files_ / "picture.exr",
+                                              "--stats",
+                                              files_ / "stats.json",
+                                              "--threads",
+                                              std::to_string(threads),
+                                              "--no-png",
+                                              "--quiet"};
+    std::vector<double> seconds;
+    nlohmann::json stats;
+    double memory = 0;
+    for (unsigned i = 0; i < s_.rounds; ++i) {
+      const ChildTimes child = run_child(command);
+      seconds.push_back(s_.cpu_time ? child.cpu_seconds : child.wall_seconds);
+      memory = std::max(memory, child.peak_bytes);
+      if (seconds.back() == *std::min_element(seconds.begin(), seconds.end())) {
+        std::ifstream in(files_ / "stats.json");
+        stats = nlohmann::json::parse(in);
+      }
+    }
+    const nlohmann::json& stages = stats["seconds"];
+    const double rays = stats["rays"]["camera"].get<double>() + stats["rays"]["occlusion"].get<double>();
+    std::printf(
+        "%-9s %10.0f: %7.3f s (load %.3f, tree %.3f, render %.3f, write %.3f), %6.0f MB, %5.1f Mrays/s\n",
+        axis, value, median(seconds), stages["load"].get<double>(), stages["bvh"].get<double>(),
+        stages["render"].get<double>(), stages["write"].get<double>(), memory * 1e-6,
+        rays / stages["render"].get<double>() * 1e-6);
+    append_record(s_.output, {{"bench", "scaling"},
+                              {"axis", axis},
+                              {"value", value},
+                              {"triangles", triangles_},
+                              {"resolution", picture.resolution},
+                              {"directions", picture.directions},
+                              {"threads", threads},
+                              {"rounds", s_.rounds},
+                              {"clock", s_.cpu_time ? "cpu" : "wall"},
+                              {"seconds", median(seconds)},
+                              {"stages", stages},
+                              {"rays", rays},
+                              {"peak_bytes", memory}});
+  }
+
+ private:
+  const Settings& s_;
+  TemporaryFolder files_;
+  std::string scene_name_;
+  BenchScene scene_;
+  std::size_t triangles_ = 0;
+};
+
+void run_sweeps(const Settings& s) {
+  Sweep sweep(s);
+  for (double triangles = 1e4; triangles <= s.most_triangles; triangles *= 10) {
+    sweep.use(knot(triangles));
+    sweep.measure("triangles", triangles, {512, 1, 16}, s.threads);
+  }
+  sweep.use(knot(base_triangles));
+  for (const unsigned resolution : {256u, 512u, 1024u, 2048u})
+    sweep.measure("pixels", double(resolution) * resolution, {resolution, 1, 16}, s.threads);
+  for (const unsigned directions : {1u, 4u, 16u, 64u, 256u})
+    sweep.measure("rays", directions, {512, 1, directions}, s.threads);
+  const unsigned hardware = std::max(1u, std::thread::hardware_concurrency());
+  for (unsigned threads = 1; threads <= hardware; threads *= 2)
+    sweep.measure("threads", threads, {512, 1, 64}, threads);
+}
+
+// ---- In one process: what an option costs, against the same picture without it ----
+
+struct Option {
+  const char* name;
+  std::function<void(Scene&)> change = [](Scene&) {};
+  const char* define = nullptr;
+  Traversal traversal = Traversal::automatic;
+  bool smooth = false;
+};
+
+std::vector<Option> options() {
+  const auto sampler = [](Sampler chosen) { return [chosen](Scene& s) { s.sampler = chosen; }; };
+  const auto effect = [](auto change) { return [change](Scene& s) { change(s.effects[0]); }; };
+  return {{"base"},
+          {.name = "smooth normals", .smooth = true},
+          {"sampler independent", sampler(Sampler::independent)},
+          {"sampler stratified", sampler(Sampler::stratified)},
+          {"sampler halton", sampler(Sampler::halton)},
+          {"sampler zorder", sampler(Sampler::zorder)},
+          {"directions hemisphere", effect([](Effect& e) { e.sampling = Sampling::hemisphere; })},
+          {"directions sphere", effect([](Effect& e) { e.sampling = Sampling::sphere; })},
+          {"RO lobe, n = 30", effect([](Effect& e) {
+             e.kind = EffectKind::ro;
+             e.sampling = Sampling::lobe;
+           })},
+          {"bent normals", effect([](Effect& e) { e.kind = EffectKind::bent; })},
+          {"falloff", effect([](Effect& e) {
+             e.falloff = Falloff::smooth;
+             e.max_distance = {DistanceLimit::Kind::value, 1.0f};
+           })},
+          {"distance 1", effect([](Effect& e) {
+             e.max_distance = {DistanceLimit::Kind::value, 1.0f};
+           })},
+          {.name = "portable path", .define = "TRAVERSAL_PORTABLE"},
+          {.name = "one ray a work-item", .traversal = Traversal::scalar}};
+}
+
+/// Vertex normals as the mean of the adjacent triangles'.
+void add_normals(TriangleMesh& mesh) {
+  mesh.normals.assign(mesh.positions.size(), vec3(0));
+  for (const auto& t : mesh.triangles) {
+    const vec3 n =
+        glm::cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]);
+    for (const std::uint32_t i : t) mesh.normals[i] += n;
+  }
+  for (vec3& n : mesh.normals) n = glm::length(n) > 0 ? glm::normalize(n) : vec3(0, 1, 0);
+  mesh.triangle_normals = mesh.triangles;
+}
+
+/// One option, ready to run.
+struct Candidate {
+  Plan plan;
+  std::unique_ptr<PathTracer> tracer;
+  std::vector<double> seconds, ratios;
+
+  double run(const std::vector<std::uint32_t>& pixels) {
+    std::vector<Film> films = tracer->make_films();
+    const Stopwatch watch;
+    tracer->accumulate(pixels, {0, plan.samples_per_pixel()}, films);
+    return watch.seconds();
+  }
+};
+
+void run_options(const Settings& s) {
+  BenchScene bench = bench_scene(knot(base_triangles));
+  TriangleMesh smooth = bench.mesh;
+  add_normals(smooth);
+  const Bvh bvh = build_bvh(bench.mesh, {.threads = s.threads});
+  const Device device(select_device(""));
+  Scene scene;
+  scene.camera = {bench.eye, bench.at, vec3(0, 1, 0), bench.fov};
+  scene.width = scene.height = 512;
+  scene.directions = 16;
+  scene.effects.resize(1);
+  scene.effects[0].max_distance.kind = DistanceLimit::Kind::none;
+  const std::vector<Option> all = options();
+  std::vector<Candidate> candidates;
+  for (const Option& option : all) {
+    Scene changed = scene;
+    option.change(changed);
+    const TriangleMesh& mesh = option.smooth ? smooth : bench.mesh;
+    Candidate& made = candidates.emplace_back();
+    made.plan = make_plan(changed, mesh);
+    const auto source = [&](const std::string& file) {
+      return (option.define ? std::string("#define ") + option.define + " 1\n" : "") + kernel_source(file);
+    };
+    made.tracer = std::make_unique<PathTracer>(device, made.plan, mesh, bvh, source, option.traversal);
+  }
+  const std::vector<std::uint32_t> pixels = pixels_in_order(candidates[0].plan.window, scene.width);
+  for (Candidate& c : candidates) c.run(pixels);  // compiles, and touches memory
+  for (unsigned i = 0; i < s.rounds; ++i)
+    for (Candidate& c : candidates) {
+      const double base = candidates[0].run(pixels);
+      c.seconds.push_back(c.run(pixels));
+      c.ratios.push_back(c.seconds.back() / base);
+    }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Candidate& c = candidates[i];
+    const auto [least, most] = std::minmax_element(c.ratios.begin(), c.ratios.end());
+    std::printf("%-22s %7.3f s, %.2f of the base's time [%.2f, %.2f]\n", all[i].name, median(c.seconds),
+                median(c.ratios), *least, *most);
+    append_record(s.options_output, {{"bench", "options"},
+                                     {"option", all[i].name},
+                                     {"triangles", bench.mesh.triangles.size()},
+                                     {"resolution", 512},
+                                     {"directions", 16},
+                                     {"threads", s.threads},
+                                     {"rounds", s.rounds},
+                                     {"clock", s.cpu_time ? "cpu" : "wall"},
+                                     {"seconds", median(c.seconds)},
+                                     {"time_ratio", median(c.ratios)},
+                                     {"time_ratios", c.ratios}});
+  }
+}
+
+void run(const Settings& s) {
+  Stopwatch::cpu_time = s.cpu_time;
+  limit_threads(s.threads);
+  run_sweeps(s);
+  run_options(s);
+}
+
+}  // namespace
+
+void add_scaling(CLI::App& app) {
+  auto s = std::make_shared<Settings>();
+  CLI::App* command = app.add_subcommand(
+      "scaling", "Time and memory against triangles, pixels, rays and threads, and what each option costs");
+  command->add_option("--rounds", s->rounds)->check(CLI::Range(1, 100));
+  command->add_option("--threads", s->threads)->check(CLI::Range(1, 1024));
+  command->add_option("--most-triangles", s->most_triangles)->check(CLI::Range(1e4, 1e8));
+  command->add_option("--output", s->output, "JSON lines are appended here");
+  command->add_option("--options-output", s->options_output, "those of the options, here");
+  command->add_flag("--cpu-time", s->cpu_time,
+                    "count CPU time instead of the wall clock's: for a busy machine");
+  command->callback([s] { run(*s); });
+}
+
+}  // namespace nook::bench
