@@ -82,7 +82,7 @@ void run(const Settings& s) {
   Workload work;
   if (s.rays == "primary") {
     runner.set_camera_rays(camera);
-    work.ours = [&](KernelRunner& r) { return r.closest(scene.eye, 16, our_distances); };
+    work.ours = [&](KernelRunner& r) { return r.closest(scene.eye, 32, our_distances); };
     work.embree = [&](const EmbreeVariant& v, const EmbreeScene& e) {
       return v.closest(e, scene.eye, camera, s.threads, embree_distances);
     };

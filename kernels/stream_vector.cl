@@ -69,6 +69,8 @@ int or_lanes(int16 v) { return or_8_lanes(v.lo | v.hi); }
   {}
 #endif
 
+#define LANE_BITS (int16)(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768)
+
 #if STREAM_AVX512
 
 // vstore16 becomes three stores there; an unaligned vector is one.
@@ -94,8 +96,7 @@ typedef struct __attribute__((packed)) {
 #define LOWEST_BIT(mask) lowest_bit(mask)
 
 uint nonzero_lanes(int16 v) {
-  const int16 bit = (int16)(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768);
-  return (uint)or_lanes((v != 0) & bit);
+  return (uint)or_lanes((v != 0) & LANE_BITS);
 }
 
 void append_lanes(uint* to, uint16 v, uint lanes) {

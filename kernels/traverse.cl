@@ -42,10 +42,10 @@ uint occluded_from(BVH_PARAMS, float3 origin, const RayDirections* d, uint activ
   return occluded_rays(BVH_ARGS, &origins, d, active, max_distance);
 }
 
-void closest_rays(BVH_PARAMS, const RayDirections* origins, const RayDirections* d, uint active, float* t, uint* triangle,
-                  float* u, float* v) {
+void closest_of(BVH_PARAMS, const RayDirections* origins, const RayDirections* d, uint active, bool shared_origin, float* t,
+                uint* triangle, float* u, float* v) {
   if (!TRAVERSAL_SCALAR) {
-    stream_closest(BVH_ARGS, origins, d, active, t, triangle, u, v);
+    stream_closest(BVH_ARGS, origins, d, active, shared_origin, t, triangle, u, v);
     return;
   }
   for (uint rest = active; rest; rest &= rest - 1) {
@@ -54,11 +54,16 @@ void closest_rays(BVH_PARAMS, const RayDirections* origins, const RayDirections*
   }
 }
 
+void closest_rays(BVH_PARAMS, const RayDirections* origins, const RayDirections* d, uint active, float* t, uint* triangle,
+                  float* u, float* v) {
+  closest_of(BVH_ARGS, origins, d, active, false, t, triangle, u, v);
+}
+
 void closest_from(BVH_PARAMS, float3 origin, const RayDirections* d, uint active, float* t, uint* triangle, float* u,
                   float* v) {
   RayDirections origins;
   share_origin(&origins, origin);
-  closest_rays(BVH_ARGS, &origins, d, active, t, triangle, u, v);
+  closest_of(BVH_ARGS, &origins, d, active, true, t, triangle, u, v);
 }
 
 #endif

@@ -154,6 +154,22 @@ std::vector<RayStream> axis_parallel_streams(unsigned count, unsigned seed) {
   return streams;
 }
 
+/// Directions that nearly agree, as the camera rays of a pixel do; some streams straddle an axis or a
+/// diagonal.
+std::vector<RayStream> narrow_streams(unsigned count, unsigned seed) {
+  Random random(seed);
+  std::vector<RayStream> streams(count);
+  for (RayStream& s : streams) {
+    s.origin = random.in_box(1.5f);
+    vec3 axis = random.direction();
+    if (random.below(4) == 0) axis[int(random.below(3))] = 0;
+    if (random.below(4) == 0) axis.x = axis.y;
+    const float width = std::ldexp(1.0f, -int(random.below(12)));
+    for (vec3& d : s.direction) d = glm::normalize(axis + width * random.in_box(0.5f));
+  }
+  return streams;
+}
+
 struct Case {
   const char* name;
   TriangleMesh mesh;
@@ -240,6 +256,29 @@ TEST(Traverse, VariantsAgreeToTheBit) {
         EXPECT_EQ(first, bits) << c.name << ", " << variant << ", limit " << limit;
         EXPECT_EQ(first, probe.occluded_own_origins(streams, limit))
             << c.name << ", " << variant << ", own origins";
+      }
+    }
+  }
+}
+
+TEST(Traverse, ClosestHitsAgreeToTheBit) {
+  for (const Case& c : cases()) {
+    std::vector<RayStream> streams = narrow_streams(2000, 33);
+    for (const RayStream& s : random_streams(500, 34, 1.2f)) streams.push_back(s);
+    for (const RayStream& s : axis_parallel_streams(500, 35)) streams.push_back(s);
+    for (const float limit : {infinity, 0.3f}) {
+      std::vector<ClosestHit> first;
+      for (const auto& [variant, options] : traversal_variants()) {
+        RayProbe probe(c.mesh, options);
+        const auto hits = probe.closest(streams, limit);
+        if (first.empty()) first = hits;
+        std::size_t different = 0;
+        for (std::size_t i = 0; i < hits.size(); ++i) {
+          const ClosestHit &a = first[i], &b = hits[i];
+          const bool hit = a.triangle != 0xffffffffu;
+          different += a.triangle != b.triangle || (hit && (a.t != b.t || a.u != b.u || a.v != b.v));
+        }
+        EXPECT_EQ(different, 0u) << c.name << ", " << variant << ", limit " << limit;
       }
     }
   }

@@ -1,0 +1,94 @@
+// One ray of a stream against all children of a node, or all triangles of a leaf: they are the vectors' lanes.
+#ifndef NOOK_STREAM_TESTS_CL
+#define NOOK_STREAM_TESTS_CL
+
+#include "stream_rays.cl"
+
+// enter_box() for all children of a node: entry distances, and lanes of -1 where ray k meets the child within [0, limit].
+INLINE int16 enter_children(__global const BvhNode* node, const StreamRays* r, uint k, float limit, float16* entry) {
+  __global const float* planes = &node->lo[0][0];
+  const uint nx = r->near_x[k], ny = r->near_y[k], nz = r->near_z[k];
+  const uint fx = HI_PLANES - nx, fy = HI_PLANES + 2u * BVH_WIDTH - ny, fz = HI_PLANES + 4u * BVH_WIDTH - nz;
+  const float ox = r->ox[k], oy = r->oy[k], oz = r->oz[k];
+  const float16 ax = (vload16(0, planes + nx) - ox) * r->ix[k];
+  const float16 ay = (vload16(0, planes + ny) - oy) * r->iy[k];
+  const float16 az = (vload16(0, planes + nz) - oz) * r->iz[k];
+  const float16 bx = (vload16(0, planes + fx) - ox) * r->ix[k];
+  const float16 by = (vload16(0, planes + fy) - oy) * r->iy[k];
+  const float16 bz = (vload16(0, planes + fz) - oz) * r->iz[k];
+  float16 enter = 0.0f, leave = limit;
+  enter = ax > enter ? ax : enter;
+  leave = bx < leave ? bx : leave;
+  enter = ay > enter ? ay : enter;
+  leave = by < leave ? by : leave;
+  enter = az > enter ? az : enter;
+  leave = bz < leave ? bz : leave;
+  *entry = enter;
+  return enter <= leave * FAR_PLANE_GROWTH;
+}
+
+// shear_triangle() and inside() for all triangles of a leaf.
+typedef struct {
+  leaf_float wb, wc, det, height;
+  leaf_int inside;
+} ShearedLeaf;
+
+INLINE void shear_leaf(ShearedLeaf* t, __global const TriangleLeaf* leaf, const StreamRays* r, uint k) {
+  __global const float* x = &leaf->p[0][0][0] + r->row_x[k];
+  __global const float* y = &leaf->p[0][0][0] + r->row_y[k];
+  __global const float* z = &leaf->p[0][0][0] + r->row_z[k];
+  const float ox = r->row_ox[k], oy = r->row_oy[k], oz = r->row_oz[k];
+  const float sx = r->shear_x[k], sy = r->shear_y[k];
+  const leaf_float az = LOAD_LEAF(z) - oz;
+  const leaf_float bz = LOAD_LEAF(z + VERTEX_ROWS) - oz;
+  const leaf_float cz = LOAD_LEAF(z + 2 * VERTEX_ROWS) - oz;
+  const leaf_float ax = fma(sx, az, LOAD_LEAF(x) - ox), ay = fma(sy, az, LOAD_LEAF(y) - oy);
+  const leaf_float bx = fma(sx, bz, LOAD_LEAF(x + VERTEX_ROWS) - ox), by = fma(sy, bz, LOAD_LEAF(y + VERTEX_ROWS) - oy);
+  const leaf_float cx = fma(sx, cz, LOAD_LEAF(x + 2 * VERTEX_ROWS) - ox);
+  const leaf_float cy = fma(sy, cz, LOAD_LEAF(y + 2 * VERTEX_ROWS) - oy);
+  const leaf_float wa = cx * by - cy * bx, wb = ax * cy - ay * cx, wc = bx * ay - by * ax;
+  t->wb = wb;
+  t->wc = wc;
+  t->det = wa + wb + wc;
+  t->height = fma(wa, az, fma(wb, bz, wc * cz));
+  const leaf_uint sign = AS_LEAF_UINT(t->det) & SIGN_BIT;
+  t->inside = (AS_LEAF_FLOAT(AS_LEAF_UINT(wa) ^ sign) >= 0.0f) & (AS_LEAF_FLOAT(AS_LEAF_UINT(wb) ^ sign) >= 0.0f) &
+              (AS_LEAF_FLOAT(AS_LEAF_UINT(wc) ^ sign) >= 0.0f);
+}
+
+// triangle_occludes() for all triangles of a leaf: -1 where ray k meets it, else 0.
+INLINE leaf_int leaf_occludes(__global const TriangleLeaf* leaf, const StreamRays* r, uint k) {
+  ShearedLeaf t;
+  shear_leaf(&t, leaf, r, k);
+  const leaf_uint flip = (AS_LEAF_UINT(t.det) ^ as_uint(r->inverse_z[k])) & SIGN_BIT;
+  const leaf_float height = AS_LEAF_FLOAT(AS_LEAF_UINT(t.height) ^ flip);
+  return t.inside & (height > 0.0f) & (height < fabs(t.det) * r->limit_z[k]);
+}
+
+// triangle_nearer() for all triangles of a leaf: the nearest hit of ray k, if it is nearer than *t.
+// Of equally near triangles the lowest index, as closest_ray(); none at the limit itself.
+INLINE void leaf_nearer(__global const TriangleLeaf* leaf, const StreamRays* r, uint k, float* t, uint* triangle, float* u, float* v) {
+  ShearedLeaf f;
+  shear_leaf(&f, leaf, r, k);
+  const leaf_float distance = f.height * r->inverse_z[k] / f.det;
+  const leaf_int hit = f.inside & (distance > 0.0f) & (distance <= *t);
+  uint lanes = (uint)OR_LEAF_LANES(hit & LEAF_BITS);
+  if (!lanes) return;
+  float lane_distance[BVH_LEAF_WIDTH], lane_wb[BVH_LEAF_WIDTH], lane_wc[BVH_LEAF_WIDTH], lane_det[BVH_LEAF_WIDTH];
+  STORE_LEAF(lane_distance, distance);
+  STORE_LEAF(lane_wb, f.wb);
+  STORE_LEAF(lane_wc, f.wc);
+  STORE_LEAF(lane_det, f.det);
+  for (; lanes; lanes &= lanes - 1) {
+    const uint lane = LOWEST_BIT(lanes);
+    const uint id = leaf->triangle[lane];
+    const bool nearer = lane_distance[lane] < *t || (lane_distance[lane] == *t && *triangle != NO_TRIANGLE && id < *triangle);
+    if (!nearer) continue;
+    *t = lane_distance[lane];
+    *triangle = id;
+    *u = lane_wb[lane] / lane_det[lane];
+    *v = lane_wc[lane] / lane_det[lane];
+  }
+}
+
+#endif
