@@ -12,6 +12,7 @@
 #include "shared/camera.h"
 
 #define STREAM 32u
+#define TASKS_PER_ITEM (TRAVERSAL_SCALAR ? 1 : 32)  // at most
 
 // One direction at a surface point; returns its weight w with E[w V] the effect's value, 0 if it needs no ray.
 float sample_effect(float2 u, float3 normal, float3 view, float exponent, const EstimatorParams* p, float3* direction) {
@@ -39,24 +40,34 @@ void add_direction(ulong* sum, float weight, float3 d, const CameraParams* camer
 }
 
 // Directions [task.first_direction, + p.directions) at each camera sample of each task, summed into results[task]. A stream
-// holds the directions of as many camera samples as fit (32 / directions), or a part of one sample's.
-__kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* tasks, uint task_count,
+// holds the directions of as many camera samples as fit (32 / directions), or a part of one sample's. A work-item does
+// `tasks_per_item` neighbouring tasks, whose samples share streams: tasks_per_item * p.samples * p.directions <= STREAM if it does
+// more than one.
+__kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* tasks, uint task_count, uint tasks_per_item,
                         __global const SurfacePoint* points, __global TaskResult* results,
                         __global const float* exponents, __global const float* positions,
                         __global const uint* triangles, CameraParams camera, __global nook_ulong* bent) {
-  uint id = get_global_id(0);
-  if (id >= task_count) return;
-  Task task = tasks[id];
-  TaskResult result = {0, 0, 0, 0, 0, 0};
-  ulong bent_sum[3] = {0, 0, 0};
+  const uint first_task = get_global_id(0) * tasks_per_item;
+  if (first_task >= task_count) return;
+  const uint count_of_tasks = min(tasks_per_item, task_count - first_task);
+  TaskResult result[TASKS_PER_ITEM];
+  ulong bent_sum[TASKS_PER_ITEM][3];
+  for (uint i = 0; i < count_of_tasks; ++i) {
+    const TaskResult nothing = {0, 0, 0, 0, 0, 0};
+    result[i] = nothing;
+    bent_sum[i][0] = bent_sum[i][1] = bent_sum[i][2] = 0;
+  }
+  // Camera samples are numbered through all tasks of the work-item.
+  const uint all_samples = count_of_tasks * p.samples;
   const uint per_stream = max(1u, STREAM / p.directions);
-  for (uint first = 0; first < p.samples; first += per_stream) {
-    const uint samples = min(per_stream, p.samples - first);
+  for (uint first = 0; first < all_samples; first += per_stream) {
+    const uint samples = min(per_stream, all_samples - first);
     uint hits = 0;  // bit j: sample first + j has a surface to estimate at
     for (uint j = 0; j < samples; ++j) {
-      __global const SurfacePoint* point = points + task.point + first + j;
+      const uint task = (first + j) / p.samples;
+      __global const SurfacePoint* point = points + tasks[first_task + task].point + (first + j) % p.samples;
       if (!(point->flags & SURFACE_HIT)) continue;
-      ++result.hits;
+      ++result[task].hits;
       if (EXPONENT_OF_MATERIAL && !(exponent_of(point, exponents) >= 0.0f)) continue;
       hits |= 1u << j;
     }
@@ -69,7 +80,9 @@ __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* task
       uint active = 0;
       for (uint rest = hits; rest; rest &= rest - 1) {
         const uint j = lowest_bit(rest);
-        __global const SurfacePoint* point = points + task.point + first + j;
+        const uint of_item = (first + j) / p.samples, sample = (first + j) % p.samples;
+        const Task task = tasks[first_task + of_item];
+        __global const SurfacePoint* point = points + task.point + sample;
         const float exponent = EXPONENT_OF_MATERIAL ? exponent_of(point, exponents) : p.exponent;
         float3 origin = (float3)(point->origin[0], point->origin[1], point->origin[2]);
         float3 normal = (float3)(point->normal[0], point->normal[1], point->normal[2]);
@@ -82,39 +95,43 @@ __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* task
           const uint ray = j * count + k;
           float3 d;
           const float2 square =
-              sample_direction(task.pixel, task.first_sample + first + j, task.first_direction + begin + k, &p);
+              sample_direction(task.pixel, task.first_sample + sample, task.first_direction + begin + k, &p);
           float w = sample_effect(square, normal, view, exponent, &p, &d);
           // A NaN normal or origin would pass for an open direction: no comparison with a NaN holds.
           if (!isfinite(w) || !isfinite(d.x + d.y + d.z) || !isfinite(origin.x + origin.y + origin.z)) {
-            ++result.rejected;
+            ++result[of_item].rejected;
             w = 0.0f;
           }
           weight[ray] = w;
           origins.x[ray] = origin.x, origins.y[ray] = origin.y, origins.z[ray] = origin.z;
           directions.x[ray] = d.x, directions.y[ray] = d.y, directions.z[ray] = d.z;
-          if (w > 0.0f) active |= 1u << ray;
+          if (w > 0.0f) {
+            active |= 1u << ray;
+            ++result[of_item].rays;
+          }
         }
       }
-      result.rays += popcount(active);
       float visibility[STREAM];
       uint open = visible_rays(BVH_ARGS, &origins, &directions, active, &p, visibility);
       for (; open; open &= open - 1) {
-        const uint ray = lowest_bit(open);
+        const uint ray = lowest_bit(open), j = ray / count, of_item = (first + j) / p.samples;
         const float value = FALLOFF == FALLOFF_NONE ? weight[ray] : weight[ray] * visibility[ray];
-        of_sample[ray / count] += convert_ulong_rte(value * p.sum_scale);
-        if (REPLICATE_DIRECTIONS) result.sum_square += convert_ulong_rte(value * value * p.square_scale);
-        if (BENT) add_direction(bent_sum, value * p.sum_scale, ray_direction(&directions, ray), &camera);
+        of_sample[j] += convert_ulong_rte(value * p.sum_scale);
+        if (REPLICATE_DIRECTIONS) result[of_item].sum_square += convert_ulong_rte(value * value * p.square_scale);
+        if (BENT) add_direction(bent_sum[of_item], value * p.sum_scale, ray_direction(&directions, ray), &camera);
       }
     }
     for (uint rest = hits; rest; rest &= rest - 1) {
-      const uint j = lowest_bit(rest);
-      result.sum += of_sample[j];
+      const uint j = lowest_bit(rest), of_item = (first + j) / p.samples;
+      result[of_item].sum += of_sample[j];
       if (REPLICATE_DIRECTIONS) continue;
       const float mean = (float)of_sample[j] / (p.sum_scale * (float)p.directions);
-      result.sum_square += convert_ulong_rte(mean * mean * p.square_scale);
+      result[of_item].sum_square += convert_ulong_rte(mean * mean * p.square_scale);
     }
   }
-  results[id] = result;
-  if (BENT)
-    for (uint axis = 0; axis < 3; ++axis) bent[3 * id + axis] = bent_sum[axis];
+  for (uint i = 0; i < count_of_tasks; ++i) {
+    results[first_task + i] = result[i];
+    if (BENT)
+      for (uint axis = 0; axis < 3; ++axis) bent[3 * (first_task + i) + axis] = bent_sum[i][axis];
+  }
 }

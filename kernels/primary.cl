@@ -64,35 +64,36 @@ void write_surface_point(__global SurfacePoint* out, __global const float* posit
   out->material = MATERIALS ? triangle_materials[triangle] : 0xffffffffu;
 }
 
-// Camera samples [task.first_sample, + p.samples) of each task's pixel: one SurfacePoint each.
+// Camera samples [task.first_sample, + p.samples) of each task's pixel: one SurfacePoint each. A work-item does `tasks_per_item`
+// neighbouring tasks, whose rays share streams; tasks_per_item * p.samples <= STREAM if it does more than one.
 __kernel void primary(BVH_PARAMS, __global const float* positions, __global const uint* triangles,
                       __global const float* normals, __global const uint* triangle_normals,
                       __global const uint* triangle_materials, CameraParams camera, EstimatorParams p,
-                      __global const Task* tasks, uint task_count, __global SurfacePoint* points) {
-  uint id = get_global_id(0);
-  if (id >= task_count) return;
-  Task task = tasks[id];
-  uint x = task.pixel % camera.width, y = task.pixel / camera.width;
-  float3 eye = (float3)(camera.eye[0], camera.eye[1], camera.eye[2]);
-  for (uint begin = 0; begin < p.samples; begin += STREAM) {
-    uint count = min(STREAM, p.samples - begin);
+                      __global const Task* tasks, uint task_count, uint tasks_per_item, __global SurfacePoint* points) {
+  const uint first_task = get_global_id(0) * tasks_per_item;
+  if (first_task >= task_count) return;
+  const uint rays = min(tasks_per_item, task_count - first_task) * p.samples;
+  const float3 eye = (float3)(camera.eye[0], camera.eye[1], camera.eye[2]);
+  for (uint begin = 0; begin < rays; begin += STREAM) {
+    const uint count = min(STREAM, rays - begin);
     RayDirections directions;
     float t[STREAM], u[STREAM], v[STREAM];
     uint triangle[STREAM];
     for (uint k = 0; k < count; ++k) {
-      float2 position = sample_pixel(task.pixel, task.first_sample + begin + k, &p);
-      float3 d = camera_direction(&camera, x, y, position);
+      const Task task = tasks[first_task + (begin + k) / p.samples];
+      const float2 position = sample_pixel(task.pixel, task.first_sample + (begin + k) % p.samples, &p);
+      const float3 d = camera_direction(&camera, task.pixel % camera.width, task.pixel / camera.width, position);
       directions.x[k] = d.x;
       directions.y[k] = d.y;
       directions.z[k] = d.z;
       t[k] = INFINITY;
     }
-    uint active = count == STREAM ? 0xffffffffu : (1u << count) - 1u;
+    const uint active = count == STREAM ? 0xffffffffu : (1u << count) - 1u;
     closest_from(BVH_ARGS, eye, &directions, active, t, triangle, u, v);
     for (uint k = 0; k < count; ++k) {
-      float3 d = (float3)(directions.x[k], directions.y[k], directions.z[k]);
-      write_surface_point(points + task.point + begin + k, positions, triangles, normals, triangle_normals,
-                          triangle_materials, d, t[k], triangle[k], u[k], v[k]);
+      const uint point = tasks[first_task + (begin + k) / p.samples].point + (begin + k) % p.samples;
+      write_surface_point(points + point, positions, triangles, normals, triangle_normals, triangle_materials,
+                          ray_direction(&directions, k), t[k], triangle[k], u[k], v[k]);
     }
   }
 }

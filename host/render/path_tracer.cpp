@@ -7,18 +7,10 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "render/batch.hpp"
 
 namespace nook {
 namespace {
-
-// A launch is bounded by the surface points it holds (64 bytes each, two launches under way) and by its rays,
-// so that progress, time limits and interrupts are seen often; it stays far above the cost of an enqueue
-// (25-80 µs).
-constexpr std::uint64_t points_per_launch = 1u << 19;
-constexpr std::uint64_t rays_per_launch = 1u << 22;
-// One work-item does at most this many camera samples, and traces about this many rays.
-constexpr std::uint32_t samples_per_task = 64;
-constexpr std::uint32_t directions_per_task = 4096;
 
 template <class T>
 void set_arg(cl_kernel kernel, cl_uint& index, const T& value) {
@@ -51,16 +43,6 @@ double seconds_of(const ClEvent& kernel) {
 }
 
 }  // namespace
-
-struct PathTracer::Batch {
-  std::vector<Task> tasks;
-  std::uint32_t samples = 1;           // camera samples in each task
-  std::uint32_t directions = 1;        // directions in each task's camera sample
-  std::uint32_t total_directions = 1;  // of a camera sample in the whole render
-  cl_mem points = nullptr;             // given; otherwise `primary` makes them
-  bool first_directions = true;        // the tasks hold their camera samples' first directions
-  std::vector<Finished> finished;      // what the tasks amount to
-};
 
 struct PathTracer::Slot {
   Batch batch;
@@ -151,6 +133,28 @@ void PathTracer::launch(cl_kernel kernel, std::size_t count, ClEvent* event) {
   ++counters_.launches;
 }
 
+// Where rays go through the tree in streams of 32, the rays of neighbouring pixels fill one together.
+cl_uint PathTracer::tasks_sharing_a_stream(std::uint64_t rays_of_task) const {
+  return scalar_traversal_ ? 1 : cl_uint(std::max<std::uint64_t>(1, 32 / rays_of_task));
+}
+
+void PathTracer::launch_primary(const EstimatorParams& params, const ClBuffer& tasks, cl_uint count,
+                                cl_mem points, ClEvent* event) {
+  const cl_uint tasks_per_item = tasks_sharing_a_stream(params.samples);
+  const cl_kernel kernel = primary_.get();
+  cl_uint arg = 0;
+  for (const ClBuffer* buffer :
+       {&nodes_, &leaves_, &positions_, &triangles_, &normals_, &triangle_normals_, &triangle_materials_})
+    set_arg(kernel, arg, *buffer);
+  set_arg(kernel, arg, plan_.camera);
+  set_arg(kernel, arg, params);
+  set_arg(kernel, arg, tasks);
+  set_arg(kernel, arg, count);
+  set_arg(kernel, arg, tasks_per_item);
+  set_arg(kernel, arg, points);
+  launch(kernel, (count + tasks_per_item - 1) / tasks_per_item, event);
+}
+
 void PathTracer::submit(Slot& slot) {
   Batch& batch = slot.batch;
   const auto count = cl_uint(batch.tasks.size());
@@ -175,19 +179,11 @@ void PathTracer::submit(Slot& slot) {
       slot.points = device_.buffer(needed * sizeof(SurfacePoint));
     }
     points = slot.points.get();
-    cl_uint arg = 0;
-    for (const ClBuffer* buffer :
-         {&nodes_, &leaves_, &positions_, &triangles_, &normals_, &triangle_normals_, &triangle_materials_})
-      set_arg(primary_.get(), arg, *buffer);
-    set_arg(primary_.get(), arg, plan_.camera);
-    set_arg(primary_.get(), arg, params_for(EffectPlan{}, batch));
-    set_arg(primary_.get(), arg, slot.tasks);
-    set_arg(primary_.get(), arg, count);
-    set_arg(primary_.get(), arg, points);
-    launch(primary_.get(), count, &slot.kernels.emplace_back());
+    launch_primary(params_for(EffectPlan{}, batch), slot.tasks, count, points, &slot.kernels.emplace_back());
   }
   slot.host_results.resize(effects_.size());
   slot.host_extra.resize(effects_.size());
+  const cl_uint tasks_per_item = tasks_sharing_a_stream(std::uint64_t(batch.samples) * batch.directions);
   for (std::size_t e = 0; e < effects_.size(); ++e) {
     const cl_kernel kernel = effects_[e].get();
     cl_uint arg = 0;
@@ -196,12 +192,13 @@ void PathTracer::submit(Slot& slot) {
     set_arg(kernel, arg, params_for(plan_.effects[e], batch));
     set_arg(kernel, arg, slot.tasks);
     set_arg(kernel, arg, count);
+    set_arg(kernel, arg, tasks_per_item);
     set_arg(kernel, arg, points);
     set_arg(kernel, arg, slot.results[e]);
     for (const ClBuffer* buffer : {&exponents_, &positions_, &triangles_}) set_arg(kernel, arg, *buffer);
     set_arg(kernel, arg, plan_.camera);
     set_arg(kernel, arg, slot.extra[e]);
-    launch(kernel, count, &slot.kernels.emplace_back());
+    launch(kernel, (count + tasks_per_item - 1) / tasks_per_item, &slot.kernels.emplace_back());
     slot.host_results[e].resize(count);
   }
   check_opencl(opencl().clFlush(device_.queue()), "the device failed");
@@ -279,89 +276,6 @@ std::vector<Film> PathTracer::make_films() const {
   return films;
 }
 
-// Tasks in which a pixel has equally many samples, as many as a launch may hold: all pixels' first samples,
-// then all pixels' next, so that a stopped render is even.
-bool PathTracer::accumulate(std::span<const std::uint32_t> pixels, SampleRange range, std::span<Film> films,
-                            const Progress& progress) {
-  if (pixels.empty() || range.count == 0) return true;
-  const bool by_direction = plan_.replicate_directions;
-  const std::uint32_t samples_a_task =
-      by_direction ? directions_per_task
-                   : std::clamp(directions_per_task / plan_.directions, 1u, samples_per_task);
-  const std::uint32_t end = range.first + range.count;
-  std::uint32_t first = range.first;
-  std::size_t pixel = 0;
-  const auto samples_here = [&] { return std::min(samples_a_task, end - first); };
-  const auto first_directions_here = [&] { return !by_direction || first == 0; };
-  const NextBatch next = [&](Batch& batch) {
-    if (first >= end) return false;
-    const std::uint32_t samples = samples_here();
-    batch.samples = by_direction ? 1 : samples;
-    batch.directions = by_direction ? samples : plan_.directions;
-    batch.total_directions = plan_.directions;
-    batch.first_directions = first_directions_here();
-    const std::uint64_t rays_of_task = std::uint64_t(batch.samples) * batch.directions;
-    std::uint64_t room = std::max<std::uint64_t>(
-        {1, device_.info().compute_units,
-         std::min(points_per_launch / batch.samples, rays_per_launch / rays_of_task)});
-    while (room > 0 && first < end && samples_here() == samples &&
-           first_directions_here() == batch.first_directions) {
-      const std::size_t stop = std::min(pixels.size(), pixel + std::size_t(room));
-      batch.finished.push_back({pixel, stop, {first, samples}});
-      room -= stop - pixel;
-      for (; pixel < stop; ++pixel)
-        batch.tasks.push_back({pixels[pixel], by_direction ? 0 : first, by_direction ? first : 0,
-                               nook_uint(batch.tasks.size() * batch.samples)});
-      if (pixel == pixels.size()) {
-        pixel = 0;
-        first += samples;
-      }
-    }
-    return true;
-  };
-  return run(next, films, progress);
-}
-
-Film PathTracer::estimate_points(std::span<const SurfacePoint> points, std::size_t effect,
-                                 std::uint32_t directions, const Progress& progress) {
-  return std::move(estimate_all(points, directions, progress)[effect]);
-}
-
-std::vector<Film> PathTracer::estimate_all(std::span<const SurfacePoint> points, std::uint32_t directions,
-                                           const Progress& progress) {
-  const std::vector<SurfacePoint> held(points.begin(), points.end());
-  const ClBuffer buffer = device_.input(held);
-  std::vector<Film> films;
-  for (const EffectPlan& planned : plan_.effects)
-    films.emplace_back(int(points.size()), 1, planned.sum_scale, planned.square_scale,
-                       plan_.replicate_directions ? 1 : directions, planned.extra_planes());
-  std::uint32_t direction = 0;
-  std::size_t row = 0;
-  const NextBatch next = [&](Batch& batch) {
-    if (direction >= directions || points.empty()) return false;
-    batch.points = buffer.get();
-    batch.samples = 1;
-    batch.directions = std::min(directions_per_task, directions - direction);
-    batch.total_directions = directions;
-    batch.first_directions = direction == 0;
-    // Tasks of several direction chunks share a launch, so that a single point keeps every thread busy.
-    const std::uint64_t room = std::max<std::uint64_t>(64, rays_per_launch / batch.directions);
-    while (batch.tasks.size() < room && direction < directions &&
-           std::min(directions_per_task, directions - direction) == batch.directions &&
-           (direction == 0) == batch.first_directions) {
-      batch.tasks.push_back({nook_uint(row), 0, direction, nook_uint(row)});
-      batch.finished.push_back({row, row + 1, {direction, batch.directions}});
-      if (++row == points.size()) {
-        row = 0;
-        direction += batch.directions;
-      }
-    }
-    return true;
-  };
-  run(next, films, progress);
-  return films;
-}
-
 std::vector<SurfacePoint> PathTracer::surface_points(std::span<const std::uint32_t> pixels) {
   std::vector<SurfacePoint> points(pixels.size());
   std::vector<Task> tasks;
@@ -374,16 +288,7 @@ std::vector<SurfacePoint> PathTracer::surface_points(std::span<const std::uint32
     for (std::size_t i = 0; i < count; ++i) tasks.push_back({pixels[begin + i], 0, 0, nook_uint(i)});
     const ClBuffer task_buffer = device_.input(tasks);
     const ClBuffer out = device_.buffer(count * sizeof(SurfacePoint));
-    cl_uint arg = 0;
-    for (const ClBuffer* buffer :
-         {&nodes_, &leaves_, &positions_, &triangles_, &normals_, &triangle_normals_, &triangle_materials_})
-      set_arg(primary_.get(), arg, *buffer);
-    set_arg(primary_.get(), arg, plan_.camera);
-    set_arg(primary_.get(), arg, params);
-    set_arg(primary_.get(), arg, task_buffer);
-    set_arg(primary_.get(), arg, cl_uint(count));
-    set_arg(primary_.get(), arg, out);
-    launch(primary_.get(), count);
+    launch_primary(params, task_buffer, cl_uint(count), out.get());
     check_opencl(
         opencl().clEnqueueReadBuffer(device_.queue(), out.get(), CL_TRUE, 0, count * sizeof(SurfacePoint),
                                      points.data() + begin, 0, nullptr, nullptr),

@@ -117,6 +117,9 @@ class PathTracer {
   ClKernel kernel(const KernelPlan& kernel) const;
   EstimatorParams params_for(const EffectPlan& effect, const Batch& batch) const;
   void launch(cl_kernel kernel, std::size_t count, ClEvent* event = nullptr);
+  cl_uint tasks_sharing_a_stream(std::uint64_t rays_of_task) const;
+  void launch_primary(const EstimatorParams& params, const ClBuffer& tasks, cl_uint count, cl_mem points,
+                      ClEvent* event = nullptr);
   void submit(Slot& slot);
   void harvest(Slot& slot, std::span<Film> films);
   bool run(const NextBatch& next, std::span<Film> films, const Progress& progress);
