@@ -7,8 +7,8 @@
 #include "rays.cl"
 #include "shared/bvh.h"
 
-// The hot loops' parts: PoCL does not inline them by itself.
-#define INLINE __attribute__((always_inline)) static inline
+// The hot loops' parts: PoCL does not inline them by itself. Not every file that includes them needs all.
+#define INLINE __attribute__((always_inline, unused)) static inline
 
 #if defined(__AVX512F__) && defined(__clang__) && !TRAVERSAL_PORTABLE
 #define STREAM_AVX512 1
