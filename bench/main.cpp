@@ -10,6 +10,7 @@
 #include "tree.hpp"
 
 int main(int argc, char** argv) {
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // results as they come, into a file too
   CLI::App app{"Benchmarks of nook against Embree"};
   app.require_subcommand(1);
   nook::bench::add_occlusion(app);

@@ -14,7 +14,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
-from matplotlib.ticker import FuncFormatter
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, NullLocator
 
 OURS, THEIRS, GREY = "#0072b2", "#d55e00", "#444b59"
 plt.rcParams.update({"font.family": "DejaVu Sans", "font.size": 10, "axes.spines.top": False, "axes.spines.right": False})
@@ -106,15 +106,23 @@ def scaling(folder):
         points = sorted((l for l in lines if l["axis"] == axis), key=lambda l: l["value"])
         x = [p["value"] for p in points]
         axes.plot(x, [p["seconds"] for p in points], "o-", color="black", lw=2, ms=4, label="whole process")
-        for stage, colour in (("load", "#8c6d1f"), ("bvh", THEIRS), ("render", OURS), ("write", "#009e73")):
+        # The stages are the wall clock's: beside CPU seconds they would mislead.
+        for stage, colour in () if any(p["clock"] == "cpu" for p in points) else (("load", "#8c6d1f"), ("bvh", THEIRS), ("render", OURS), ("write", "#009e73")):
             axes.plot(x, [p["stages"][stage] for p in points], "o-", color=colour, lw=1.2, ms=3, label={"bvh": "tree"}.get(stage, stage))
         axes.set(xscale="log", yscale="log", xlabel=label, ylabel="seconds")
         axes.grid(which="major", color="#e6e9ef")
-        axes.yaxis.set_major_formatter(FuncFormatter(lambda v, _: f"{v:g}"))
+        axes.set_xticks(x, [f"{v:g}" if v < 1e4 else f"$2^{{{v.bit_length() - 1}}}$" if axis == "pixels" else f"$10^{len(str(v)) - 1}$" for v in map(int, x)])
         memory = axes.twinx()
         memory.plot(x, [p["peak_bytes"] * 1e-6 for p in points], "s:", color=GREY, lw=1, ms=3)
         memory.set(yscale="log", ylabel="MB resident (dotted)")
-        memory.yaxis.set_major_formatter(FuncFormatter(lambda v, _: f"{v:g}"))
+        memory.set_ylim(100, 2 * max(l["peak_bytes"] for l in lines) * 1e-6)
+        axes.xaxis.set_minor_locator(NullLocator())
+        low, high = axes.get_ylim()
+        axes.set_ylim(low / 1.5, high * 1.5)
+        for y in (axes.yaxis, memory.yaxis):
+            y.set_major_locator(LogLocator(subs=(1, 2, 5)))
+            y.set_major_formatter(FuncFormatter(lambda v, _: f"{v:g}"))
+            y.set_minor_formatter(NullFormatter())
     grid[0][0].legend(frameon=False, fontsize=8.5)
     save(figure, folder, "scaling")
     return lines

@@ -22,6 +22,7 @@ namespace {
 struct Settings {
   unsigned rounds = 3, threads = 2;
   double most_triangles = 1e7;
+  std::string part = "all";
   std::string output, options_output;
   bool cpu_time = false;
 };
@@ -238,8 +239,8 @@ void run_options(const Settings& s) {
 void run(const Settings& s) {
   Stopwatch::cpu_time = s.cpu_time;
   limit_threads(s.threads);
-  run_sweeps(s);
-  run_options(s);
+  if (s.part != "options") run_sweeps(s);
+  if (s.part != "sweeps") run_options(s);
 }
 
 }  // namespace
@@ -250,6 +251,8 @@ void add_scaling(CLI::App& app) {
       "scaling", "Time and memory against triangles, pixels, rays and threads, and what each option costs");
   command->add_option("--rounds", s->rounds)->check(CLI::Range(1, 100));
   command->add_option("--threads", s->threads)->check(CLI::Range(1, 1024));
+  command->add_option("--part", s->part, "all, sweeps or options")
+      ->check(CLI::IsMember({"all", "sweeps", "options"}));
   command->add_option("--most-triangles", s->most_triangles)->check(CLI::Range(1e4, 1e8));
   command->add_option("--output", s->output, "JSON lines are appended here");
   command->add_option("--options-output", s->options_output, "those of the options, here");
