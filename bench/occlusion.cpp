@@ -60,13 +60,9 @@ void run(const Settings& s) {
   const BenchScene scene = bench_scene(s.scene);
   const EmbreeScene fast(scene.mesh, false, s.threads), robust(scene.mesh, true, s.threads);
   const Bvh bvh = build_bvh(scene.mesh, {.threads = s.threads});
-  std::printf(
-      "%s: %zu triangles; tree %.2f s + collapse %.2f s, Embree %.2f s; %.1f B and %.2f SAH, %.1f triangles "
-      "a leaf\n",
-      s.scene.c_str(), scene.mesh.triangles.size(), bvh.statistics.build_seconds,
-      bvh.statistics.collapse_seconds, fast.commit_seconds(),
-      double(bvh.bytes()) / double(scene.mesh.triangles.size()), bvh.statistics.sah_cost,
-      bvh.statistics.triangles_per_leaf);
+  std::printf("%s: %zu triangles; %.1f B and %.2f SAH, %.1f triangles a leaf\n", s.scene.c_str(),
+              scene.mesh.triangles.size(), double(bvh.bytes()) / double(scene.mesh.triangles.size()),
+              bvh.statistics.sah_cost, bvh.statistics.triangles_per_leaf);
 
   const Device device(select_device(s.device));
   KernelRunner runner(device, bvh, build_options(s.defines));
@@ -162,9 +158,7 @@ void run(const Settings& s) {
                         {"mismatches_robust", against_robust},
                         {"defines", s.defines},
                         {"device", device.info().name},
-                        {"bytes_per_triangle", double(bvh.bytes()) / double(scene.mesh.triangles.size())},
-                        {"build_seconds", bvh.statistics.build_seconds + bvh.statistics.collapse_seconds},
-                        {"embree_build_seconds", fast.commit_seconds()}};
+                        {"bytes_per_triangle", double(bvh.bytes()) / double(scene.mesh.triangles.size())}};
   if (s.rays == "ro") record["exponent"] = s.exponent;
   if (s.max_distance < std::numeric_limits<float>::infinity()) record["max_distance"] = s.max_distance;
   append_record(s.output, record);

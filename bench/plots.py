@@ -3,8 +3,8 @@
 
 plots.py [RESULTS_FOLDER]   (default: the folder `results` beside this file)
 
-Plots and tables.md go into that folder; with the default the tables also replace those of README.md, between its lines
-`<!-- begin NAME -->` and `<!-- end NAME -->`. Of lines that measure the same thing the last one counts.
+Plots go into that folder, and the tables into its tables.md; with the default the tables replace those of README.md, between
+its lines `<!-- begin NAME -->` and `<!-- end NAME -->`. Of lines that measure the same thing the last one counts.
 """
 import json
 import pathlib
@@ -189,10 +189,7 @@ def main(folder):
     machine = folder / "machine.txt"
     if machine.exists():
         text["machine"] = machine.read_text(encoding="utf-8")
-    text = {name: body for name, body in text.items() if body}
-    out = "".join(f"## {name[0].upper() + name[1:]}\n\n{body}\n" for name, body in text.items())
-    (folder / "tables.md").write_text(out, encoding="utf-8")
-    return text
+    return {name: body for name, body in text.items() if body}
 
 
 def put_into(readme, text):
@@ -210,6 +207,8 @@ if __name__ == "__main__":
         sys.exit(__doc__)
     here = pathlib.Path(__file__).parent
     if len(sys.argv) == 2:
-        main(pathlib.Path(sys.argv[1]))
+        tables = main(pathlib.Path(sys.argv[1]))
+        page = "".join(f"## {name[0].upper() + name[1:]}\n\n{body}\n" for name, body in tables.items())
+        pathlib.Path(sys.argv[1], "tables.md").write_text(page, encoding="utf-8")
     else:
         put_into(here / "README.md", main(here / "results"))
