@@ -114,6 +114,21 @@
 #error "BENT needs EFFECT_AMBIENT"
 #endif
 
+// 1: the effect is estimated on some triangles alone; see sets.cl.
+#ifndef RECEIVERS
+#define RECEIVERS 0
+#endif
+
+// 1: nothing occludes a surface but its own group: a tree for each; see sets.cl.
+#ifndef ONLY_SELF
+#define ONLY_SELF 0
+#endif
+
+// 1: opacity maps cut holes into triangles; see cut_out.cl.
+#ifndef CUT_OUTS
+#define CUT_OUTS 0
+#endif
+
 // 1: one ray at a time, for GPUs; 0: streams of rays over vectors of boxes and triangles, for CPUs. The same bits.
 #ifndef TRAVERSAL_SCALAR
 #define TRAVERSAL_SCALAR 0

@@ -76,6 +76,10 @@ float forward_height(const ShearedTriangle* t, float inverse_z) {
   return (t->det < 0.0f) != signbit(inverse_z) ? -t->height : t->height;
 }
 
+float3 leaf_vertex(__global const TriangleLeaf* leaf, uint vertex, uint lane) {
+  return (float3)(leaf->p[vertex][0][lane], leaf->p[vertex][1][lane], leaf->p[vertex][2][lane]);
+}
+
 // Whether the open segment o + t d, 0 < t < max_distance, meets the triangle, from either side; limit_z = max_distance |d[kz]|.
 // A triangle without area (det = 0 for every ray) is never met.
 bool triangle_occludes(float3 o, const RayShear* s, float limit_z, float3 p0, float3 p1, float3 p2) {

@@ -8,6 +8,7 @@
 #include "ambient.cl"
 #include "reflection.cl"
 #include "cone.cl"
+#include "sets.cl"
 #include "side.cl"
 #include "shared/camera.h"
 
@@ -46,7 +47,9 @@ void add_direction(ulong* sum, float weight, float3 d, const CameraParams* camer
 __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* tasks, uint task_count, uint tasks_per_item,
                         __global const SurfacePoint* points, __global TaskResult* results,
                         __global const float* exponents, __global const float* positions,
-                        __global const uint* triangles, CameraParams camera, __global nook_ulong* bent) {
+                        __global const uint* triangles, CameraParams camera, __global nook_ulong* bent,
+                        __global const uint* receivers, __global const uint* triangle_groups,
+                        __global const uint* first_of_group) {
   const uint first_task = get_global_id(0) * tasks_per_item;
   if (first_task >= task_count) return;
   const uint count_of_tasks = min(tasks_per_item, task_count - first_task);
@@ -68,6 +71,8 @@ __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* task
       __global const SurfacePoint* point = points + tasks[first_task + task].point + (first + j) % p.samples;
       if (!(point->flags & SURFACE_HIT)) continue;
       ++result[task].hits;
+      if (RECEIVERS && !receives(receivers, point->triangle)) continue;
+      if (ONLY_SELF && point->triangle == NO_TRIANGLE) continue;
       if (EXPONENT_OF_MATERIAL && !(exponent_of(point, exponents) >= 0.0f)) continue;
       hits |= 1u << j;
     }
@@ -77,6 +82,7 @@ __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* task
       const uint count = min(STREAM, p.directions - begin);
       RayDirections origins, directions;
       float weight[STREAM];
+      uint group[STREAM];
       uint active = 0;
       for (uint rest = hits; rest; rest &= rest - 1) {
         const uint j = lowest_bit(rest);
@@ -103,6 +109,7 @@ __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* task
             w = 0.0f;
           }
           weight[ray] = w;
+          if (ONLY_SELF) group[ray] = triangle_groups[point->triangle];
           origins.x[ray] = origin.x, origins.y[ray] = origin.y, origins.z[ray] = origin.z;
           directions.x[ray] = d.x, directions.y[ray] = d.y, directions.z[ray] = d.z;
           if (w > 0.0f) {
@@ -112,7 +119,9 @@ __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* task
         }
       }
       float visibility[STREAM];
-      uint open = visible_rays(BVH_ARGS, &origins, &directions, active, &p, visibility);
+      uint open = ONLY_SELF ? visible_within_groups(BVH_ARGS, first_of_group, group, &origins, &directions, active, &p,
+                                                    visibility)
+                            : visible_rays(BVH_ARGS, &origins, &directions, active, &p, visibility);
       for (; open; open &= open - 1) {
         const uint ray = lowest_bit(open), j = ray / count, of_item = (first + j) / p.samples;
         const float value = FALLOFF == FALLOFF_NONE ? weight[ray] : weight[ray] * visibility[ray];

@@ -22,7 +22,7 @@ float3 vertex(__global const float* positions, __global const uint* triangles, u
 // that the host made is off its surface by `distance` along its normal.
 float3 origin_on_other_side(__global const SurfacePoint* point, __global const float* positions,
                             __global const uint* triangles, float3 origin, float3 normal) {
-  if (point->triangle == NO_TRIANGLE) return origin - 2.0f * point->distance * normal;
+  if (point->flags & SURFACE_GIVEN) return origin - 2.0f * point->distance * normal;
   const float3 p0 = vertex(positions, triangles, point->triangle, 0), p1 = vertex(positions, triangles, point->triangle, 1),
                p2 = vertex(positions, triangles, point->triangle, 2);
   const float3 n = (float3)(point->geometric_normal[0], point->geometric_normal[1], point->geometric_normal[2]);

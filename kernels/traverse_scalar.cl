@@ -3,6 +3,7 @@
 #define NOOK_TRAVERSE_SCALAR_CL
 
 #include "intersect.cl"
+#include "leaf_holes.cl"
 
 // Entry distance of the ray into a box, or INFINITY if it meets none of it within [0, limit].
 // inverse = 1/d; the planes are selected by the sign bit, so that -0 and 0 differ as their inverses do.
@@ -18,10 +19,6 @@ float enter_box(__global const BvhNode* node, uint lane, float3 o, float3 invers
   return enter <= leave * FAR_PLANE_GROWTH ? enter : INFINITY;
 }
 
-float3 leaf_vertex(__global const TriangleLeaf* leaf, uint vertex, uint lane) {
-  return (float3)(leaf->p[vertex][0][lane], leaf->p[vertex][1][lane], leaf->p[vertex][2][lane]);
-}
-
 bool occluded_ray(BVH_PARAMS, float3 o, float3 d, float max_distance) {
   const float3 inverse = 1.0f / d;
   const RayShear shear = shear_ray(d);
@@ -35,7 +32,8 @@ bool occluded_ray(BVH_PARAMS, float3 o, float3 d, float max_distance) {
       __global const TriangleLeaf* leaf = &leaves[item & ~BVH_LEAF];
       for (uint lane = 0; lane < BVH_LEAF_WIDTH && leaf->triangle[lane] != NO_TRIANGLE; ++lane) {
         if (triangle_occludes(o, &shear, limit_z, leaf_vertex(leaf, 0, lane), leaf_vertex(leaf, 1, lane),
-                              leaf_vertex(leaf, 2, lane)))
+                              leaf_vertex(leaf, 2, lane)) &&
+            !LANE_IN_HOLE(leaf, lane, o, d))
           return true;
       }
     } else {
@@ -69,6 +67,7 @@ bool closest_ray(BVH_PARAMS, float3 o, float3 d, float* t, uint* triangle, float
                              &distance, &hit_u, &hit_v))
           continue;
         if (distance == *t && (found == NO_TRIANGLE || leaf->triangle[lane] > found)) continue;
+        if (IN_HOLE(leaf->triangle[lane], hit_u, hit_v)) continue;
         found = leaf->triangle[lane];
         *t = distance;
         *u = hit_u;

@@ -7,6 +7,18 @@
 #include "stream_tests.cl"
 #include "traverse_packet.cl"
 
+// `met` (-1 where ray k meets a lane's triangle, else 0) without the lanes where it goes through a hole.
+INLINE leaf_int without_holes(BVH_PARAMS, __global const TriangleLeaf* leaf, leaf_int met, const RayDirections* origins,
+                              const RayDirections* d, uint k) {
+  const leaf_int leaf_bits = LEAF_BITS;
+  uint open = 0;
+  for (uint lanes = (uint)OR_LEAF_LANES(met & leaf_bits); lanes; lanes &= lanes - 1) {
+    const uint lane = LOWEST_BIT(lanes);
+    if (LANE_IN_HOLE(leaf, lane, ray_direction(origins, k), ray_direction(d, k))) open |= 1u << lane;
+  }
+  return met & ((leaf_bits & (leaf_int)(int)open) == 0);
+}
+
 // The any-hit traversal. What a node pushes is fetched into the cache at once, and one more entry is visited before the
 // stack's new top: the memory is there when its turn comes.
 uint stream_occluded(BVH_PARAMS, const RayDirections* origins, const RayDirections* d, uint active, float max_distance) {
@@ -30,7 +42,9 @@ uint stream_occluded(BVH_PARAMS, const RayDirections* origins, const RayDirectio
       do {
         const uint k = LOWEST_BIT(rest);
         rest &= rest - 1;
-        met |= leaf_occludes(leaf, &rays, k) & (leaf_int)(int)(1u << k);
+        leaf_int of_ray = leaf_occludes(leaf, &rays, k);
+        if (CUT_OUTS) of_ray = without_holes(BVH_ARGS, leaf, of_ray, origins, d, k);
+        met |= of_ray & (leaf_int)(int)(1u << k);
       } while (rest);
       open &= ~(uint)OR_LEAF_LANES(met);
     } else if (rest) {

@@ -41,6 +41,7 @@ Scene bake_scene(const BakeOptions& options) {
                                              scene.file.string(), directions, 1u << 26));
   scene.directions = std::uint32_t(directions);
   scene.spp = 1;
+  scene.denoise = false;
   scene.crop.reset();
   return scene;
 }

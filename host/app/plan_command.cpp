@@ -42,6 +42,9 @@ std::string settings_text(const EffectPlan& effect) {
   if (e.min_distance > 0) text += fmt::format(", from {:g} on", e.min_distance);
   if (e.kind != EffectKind::ro && e.cone_angle < 90)
     text += fmt::format(", cone of {:g} degrees", e.cone_angle);
+  if (e.only_self) text += ", occluded by its own group";
+  if (!e.occluders.empty()) text += fmt::format(", occluders {}", fmt::join(e.occluders, "+"));
+  if (!e.receivers.empty()) text += fmt::format(", receivers {}", fmt::join(e.receivers, "+"));
   if (e.side != Side::normal) text += fmt::format(", side {}", name_of(e.side));
   if (e.kind == EffectKind::ro)
     text += e.exponent_of_material ? ", exponent of the material" : fmt::format(", exponent {}", e.exponent);

@@ -46,7 +46,11 @@ Scene probe_scene(const ProbeOptions& options) {
     throw Error(ExitCode::usage, fmt::format("--sampling: {} needs --effect ro", name_of(effect.sampling)));
   if (effect.kind == EffectKind::ro && effect.exponent_of_material)
     throw Error(ExitCode::usage, "points have no material: --exponent gives the one to use");
+  if (effect.only_self)
+    throw Error(ExitCode::scene, fmt::format("{}: occluders = \"self\": a probe's points belong to no group",
+                                             scene.file.string()));
   scene.effects = {effect};
+  scene.denoise = false;
   scene.spp = 1;
   scene.directions = options.samples;
   scene.crop.reset();
@@ -55,7 +59,9 @@ Scene probe_scene(const ProbeOptions& options) {
 
 int probe(const ProbeOptions& options) {
   const Scene scene = probe_scene(options);
-  const TriangleMesh mesh = load_scene_mesh(scene, {.normals = false});
+  MeshAttributes attributes = needed_attributes(scene);
+  attributes.normals = false;
+  const TriangleMesh mesh = load_scene_mesh(scene, attributes);
   const Plan plan = make_plan(scene, mesh);
   const bool needs_view = scene.effects.front().kind == EffectKind::ro;
   const std::vector<SurfacePoint> points =

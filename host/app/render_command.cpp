@@ -23,6 +23,7 @@
 #include "film/exr.hpp"
 #include "film/png.hpp"
 #include "mesh/mesh_analysis.hpp"
+#include "render/denoise_picture.hpp"
 #include "render/layers.hpp"
 #include "render/path_tracer.hpp"
 #include "render/picture.hpp"
@@ -45,7 +46,7 @@ struct RenderOptions {
   std::string progress = "auto";
   std::vector<std::string> aovs;
   unsigned frames = 1;
-  bool png = true, quiet = false, print_config = false;
+  bool png = true, quiet = false, print_config = false, denoise = false;
 };
 
 class Stopwatch {
@@ -117,6 +118,9 @@ void check_combinations(const Scene& scene, const RenderOptions& options) {
                     !options.checkpoints.file(options.scene.scene, options.output).empty();
   const auto fail = [](const char* why) { throw Error(ExitCode::usage, why); };
   if (!sampled && options.target.any()) fail("--error, --time: the scene has no effect with samples");
+  if (!sampled && options.denoise) fail("--denoise: the scene has no effect with samples");
+  if (scene.denoise && shard)
+    fail("--denoise, --shard: a share of a picture is not denoised; render it whole, or leave denoise out");
   if (!sampled && kept) fail("--checkpoint, --resume, --shard: the scene has no effect with samples to keep");
   if (screen_space && shard)
     fail("--shard: a screen-space layer cannot be merged; render it with a scene of its own");
@@ -159,11 +163,16 @@ std::vector<std::uint32_t> row_major(const PixelRect& window, int width) {
   return pixels;
 }
 
-// The channels that one point at each pixel's centre gives: AOVs and layers of type normal, position and
-// depth.
-std::vector<Channel> surface_under_pixels(PathTracer& tracer, const Plan& plan, const AovRequest& aovs) {
+// One point at each pixel's centre, if anything is made of them.
+std::vector<SurfacePoint> surface_under_pixels(PathTracer& tracer, const Plan& plan) {
   if (!plan.surface) return {};
-  const std::vector<SurfacePoint> points = tracer.surface_points(row_major(plan.window, plan.width));
+  return tracer.surface_points(row_major(plan.window, plan.width));
+}
+
+// The channels that they give: AOVs and layers of type normal, position and depth.
+std::vector<Channel> channels_of_surface(const Plan& plan, const AovRequest& aovs,
+                                         const std::vector<SurfacePoint>& points) {
+  if (!plan.surface) return {};
   std::vector<Channel> channels = surface_channels(plan, aovs, points);
   add_surface_layers(plan, points, channels);
   return channels;
@@ -224,7 +233,8 @@ void add_ssao(const Scene& scene, const TriangleMesh& mesh, const RenderOptions&
 }
 
 int render(const RenderOptions& options) {
-  const Scene scene = options.scene.load();
+  Scene scene = options.scene.load();
+  scene.denoise = scene.denoise || options.denoise;
   if (options.print_config) {
     fmt::print("{}", to_toml(scene));
     return 0;
@@ -290,7 +300,7 @@ int render(const RenderOptions& options) {
   if (record.plan.effects.empty()) {
     Image image{record.plan.window.width(),
                 record.plan.window.height(),
-                surface_under_pixels(tracer, record.plan, aovs),
+                channels_of_surface(record.plan, aovs, surface_under_pixels(tracer, record.plan)),
                 {}};
     record.seconds.render = watch.lap();
     record.counts.camera_rays = tracer.counters().camera_rays;
@@ -332,7 +342,8 @@ int render(const RenderOptions& options) {
     run_session(session, share, options.target.seconds ? doublings() : all_of(share), deadline, writer, mode);
     if (options.target.seconds) record.error = error_of(part.films);
   }
-  part.surface = surface_under_pixels(tracer, record.plan, aovs);
+  const std::vector<SurfacePoint> surface = surface_under_pixels(tracer, record.plan);
+  part.surface = channels_of_surface(record.plan, aovs, surface);
   watch.lap();
 
   record.counts = part.counts;
@@ -347,6 +358,7 @@ int render(const RenderOptions& options) {
   Image image;
   if (!shard) {
     image = adaptive ? adaptive->picture(part, result) : make_picture(part);
+    if (record.plan.denoise) denoise_picture(record.plan, part.films, surface, image);
     add_ssao(scene, mesh, options, record, image);
   }
   finish(options, output, image, watch, whole, record);
@@ -374,6 +386,8 @@ void add_render_command(CLI::App& app, Command& chosen) {
   command->add_option("--stats", options->stats, "Write the run record as JSON");
   command->add_flag("--png,!--no-png", options->png,
                     "Write a PNG preview beside the EXR (sRGB encoded); on by default");
+  command->add_flag("--denoise", options->denoise,
+                    "Filter what is traced: less noise, some bias (docs/effects.md); off by default");
   command->add_flag("--quiet", options->quiet, "Say nothing but errors");
   command->add_flag("--print-config", options->print_config,
                     "Print the scene with every override and default, render nothing");

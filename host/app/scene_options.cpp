@@ -44,6 +44,25 @@ std::string quoted_limit(const DistanceLimit& limit) {
                                                   : fmt::format("\"{}\"", to_string(limit));
 }
 
+// A TOML string may hold quotes and backslashes; control characters are escaped too.
+std::string toml_string(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    if (static_cast<unsigned char>(c) < ' ' || c == 0x7f)
+      out += fmt::format("\\u{:04x}", static_cast<unsigned char>(c));
+    else
+      out += c;
+  }
+  return out + '"';
+}
+
+std::string toml_list(const std::vector<std::string>& names) {
+  std::vector<std::string> strings;
+  for (const std::string& name : names) strings.push_back(toml_string(name));
+  return fmt::format("[{}]", fmt::join(strings, ", "));
+}
+
 // The keys of one effect.
 std::string effect_toml(const Effect& e) {
   std::string out = fmt::format("type = \"{}\"\n", name_of(e.kind));
@@ -63,6 +82,9 @@ std::string effect_toml(const Effect& e) {
   if (e.side != Side::normal) out += fmt::format("side = \"{}\"\n", name_of(e.side));
   if (e.cone_angle < 90) out += fmt::format("cone_angle = {}\n", e.cone_angle);
   if (e.view_space) out += "space = \"view\"\n";
+  if (e.only_self) out += "occluders = \"self\"\n";
+  if (!e.occluders.empty()) out += fmt::format("occluders = {}\n", toml_list(e.occluders));
+  if (!e.receivers.empty()) out += fmt::format("receivers = {}\n", toml_list(e.receivers));
   if (e.kind == EffectKind::ro)
     out += e.exponent_of_material ? "exponent = \"material\"\n" : fmt::format("exponent = {}\n", e.exponent);
   return out;
@@ -176,7 +198,9 @@ Device DeviceOptions::open() const {
 std::string to_toml(const Scene& s) {
   auto point = [](const vec3& p) { return fmt::format("[{}, {}, {}]", p.x, p.y, p.z); };
   std::string out =
-      s.instances.empty() ? fmt::format("[input]\nobjfile = \"{}\"\n\n", s.mesh_file.string()) : "";
+      s.instances.empty() ? fmt::format("[input]\nobjfile = \"{}\"\n", s.mesh_file.string()) : "";
+  if (s.cutouts) out += s.instances.empty() ? "cutouts = true\n" : "[input]\ncutouts = true\n";
+  if (!out.empty()) out += '\n';
   for (const Instance& i : s.instances)
     out += fmt::format("[[instance]]\nobjfile = \"{}\"\ntranslate = {}\nrotate = {}\nscale = {}\n\n",
                        i.mesh_file.string(), point(i.translate), point(i.rotate), point(i.scale));
@@ -200,6 +224,7 @@ std::string to_toml(const Scene& s) {
                   [](const Effect& e) { return e.kind != EffectKind::ssao; }))
     out += fmt::format("spp = {}\ndirections = {}\nsampler = \"{}\"\nseed = {}\n", s.spp, s.directions,
                        name_of(s.sampler), s.seed);
+  if (s.denoise) out += "denoise = true\n";
   if (s.compat_tinyrender) out += "compat = \"tinyrender\"\n";
   if (single) return out;
   for (const Effect& effect : s.effects) {
@@ -213,6 +238,7 @@ std::string to_toml(const Scene& s) {
 std::string scene_hash(const Scene& scene) {
   Scene unnamed = scene;
   unnamed.mesh_file.clear();
+  unnamed.denoise = false;  // after the samples, which are the same
   for (Instance& instance : unnamed.instances) instance.mesh_file.clear();
   const std::string text = to_toml(unnamed);
   const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());

@@ -47,4 +47,22 @@ Bvh build_bvh(const TriangleMesh& mesh, const BvhOptions& options) {
   }
 }
 
+// The triangles by themselves, with their own numbers; then the mesh's.
+Bvh build_bvh(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles, const BvhOptions& options) {
+  TriangleMesh some;
+  some.positions.reserve(3 * triangles.size());
+  some.triangles.reserve(triangles.size());
+  for (const std::uint32_t triangle : triangles) {
+    const auto first = std::uint32_t(some.positions.size());
+    for (const std::uint32_t corner : mesh.triangles[triangle])
+      some.positions.push_back(mesh.positions[corner]);
+    some.triangles.push_back({first, first + 1, first + 2});
+  }
+  Bvh bvh = build_bvh(some, options);
+  for (TriangleLeaf& leaf : bvh.leaves)
+    for (nook_uint& triangle : leaf.triangle)
+      if (triangle != BVH_EMPTY) triangle = triangles[triangle];
+  return bvh;
+}
+
 }  // namespace nook

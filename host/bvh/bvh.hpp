@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "base/large_vector.hpp"
 #include "kernels/shared/bvh.h"
@@ -37,5 +38,9 @@ struct Bvh {
 /// Builds over all triangles of non-zero extent and finite vertices. Deterministic: the same mesh gives the
 /// same bytes whatever the thread count. Throws Error(device) if memory runs out.
 Bvh build_bvh(const TriangleMesh& mesh, const BvhOptions& options = {});
+
+/// The same over some of the mesh's triangles: their indices in the mesh, ascending.
+Bvh build_bvh(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles,
+              const BvhOptions& options = {});
 
 }  // namespace nook

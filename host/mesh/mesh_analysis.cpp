@@ -50,6 +50,14 @@ std::string mesh_hash(const TriangleMesh& mesh) {
   update(state.get(), mesh.triangles);
   update(state.get(), mesh.triangle_normals);
   update(state.get(), mesh.triangle_material);
+  update(state.get(), mesh.triangle_group);
+  for (const std::string& group : mesh.groups)
+    XXH3_128bits_update(state.get(), group.data(), group.size() + 1);
+  if (!mesh.opacity_maps.empty()) {
+    update(state.get(), mesh.uvs);
+    update(state.get(), mesh.triangle_uvs);
+    for (const OpacityMap& map : mesh.opacity_maps) update(state.get(), map.opacity);
+  }
   const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }

@@ -16,8 +16,8 @@ struct MeshAnalysis {
 
 MeshAnalysis analyse(const TriangleMesh& mesh);
 
-/// 128 bits over everything that decides the picture: positions, normals, indices, materials. 32 hexadecimal
-/// digits.
+/// 128 bits over everything that decides the picture: positions, normals, indices, materials, groups, opacity
+/// maps. 32 hexadecimal digits.
 std::string mesh_hash(const TriangleMesh& mesh);
 
 }  // namespace nook

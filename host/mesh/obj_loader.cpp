@@ -10,6 +10,7 @@
 #include <fstream>
 #include <istream>
 #include <iterator>
+#include <map>
 #include <set>
 #include <sstream>
 #include <streambuf>
@@ -39,7 +40,13 @@ class MaterialFiles : public tinyobj::MaterialReader {
     const std::string text{std::istreambuf_iterator<char>(in), {}};
     with_lobe_.merge(materials_with_lobe(text, (folder_ / id).string()));
     std::istringstream again(text);
+    const std::size_t known = materials->size();
     tinyobj::LoadMtl(map, materials, &again, warn, err);
+    for (std::size_t m = known; m < materials->size(); ++m) {
+      std::string& texture = (*materials)[m].alpha_texname;
+      std::replace(texture.begin(), texture.end(), '\\', '/');
+      if (!texture.empty()) texture = ((folder_ / id).parent_path() / texture).string();
+    }
     return true;
   }
   bool has_lobe(const std::string& material) const { return with_lobe_.contains(material); }
@@ -164,9 +171,12 @@ TriangleMesh load_obj(const std::filesystem::path& path, const MeshAttributes& w
   if (want.uvs)
     for (std::size_t i = 0; i + 1 < attrib.texcoords.size(); i += 2)
       mesh.uvs.emplace_back(attrib.texcoords[i], attrib.texcoords[i + 1]);
+  std::map<std::string, std::uint32_t> group_of_name;
   for (const tinyobj::shape_t& shape : shapes) {
-    append_shape(shape, std::uint32_t(mesh.groups.size()), want, mesh);
-    if (want.groups) mesh.groups.push_back(shape.name);
+    // A group may be continued: its name is what makes it one.
+    const auto [group, fresh] = group_of_name.try_emplace(shape.name, std::uint32_t(group_of_name.size()));
+    if (want.groups && fresh) mesh.groups.push_back(shape.name);
+    append_shape(shape, group->second, want, mesh);
   }
   for (const auto& corners : mesh.triangle_normals)
     for (std::uint32_t n : corners) mesh.report.normals_replaced += n == TriangleMesh::no_normal;

@@ -17,8 +17,8 @@ struct VertexProperty {
 };
 
 /// Reads a PLY file, ASCII or binary little-endian: vertices x, y, z and, all three, nx, ny, nz; faces as a
-/// list vertex_indices (or vertex_index), polygons as fans. What else it holds is skipped. Throws
-/// Error(scene) with one line that says where.
+/// list vertex_indices (or vertex_index), polygons as fans. Its one group has the file's name. What else it
+/// holds is skipped. Throws Error(scene) with one line that says where.
 TriangleMesh load_ply(const std::filesystem::path& path, const MeshAttributes& attributes = {});
 
 /// Writes positions, `normals` (one each), `properties` and triangles as a binary little-endian PLY file

@@ -284,6 +284,10 @@ TriangleMesh load_ply(const std::filesystem::path& path, const MeshAttributes& a
     mesh.report.normals_replaced = 0;
   }
   if (mesh.triangles.empty()) throw Error(ExitCode::scene, path.string() + ": the mesh has no triangles");
+  if (attributes.groups) {
+    mesh.groups = {path.stem().string()};
+    mesh.triangle_group.assign(mesh.triangles.size(), 0);
+  }
   return mesh;
 }
 

@@ -17,6 +17,13 @@ struct Material {
   std::string opacity_map;       ///< map_d, path as resolved; empty: opaque
 };
 
+/// An opacity map: a byte a texel, row 0 at the top (v = 1).
+struct OpacityMap {
+  std::string file;
+  std::uint32_t width = 0, height = 0;
+  std::vector<std::uint8_t> opacity;
+};
+
 /// Indexed triangles, shared by the path tracer and SSAO.
 ///
 /// Invariants after loading: every index is in range; positions of every triangle are finite; `normals` are
@@ -36,7 +43,8 @@ struct TriangleMesh {
   std::vector<std::uint32_t> triangle_group;                   ///< index into groups
   std::vector<Material> materials;
   std::vector<std::string> groups;
-  Bounds3 bounds;   ///< of the positions that triangles use
+  std::vector<OpacityMap> opacity_maps;  ///< each once, if the scene asks for cut-outs
+  Bounds3 bounds;                        ///< of the positions that triangles use
   Bounds3 subject;  ///< the bounds without the ground that a scene added; empty if there is none
   /// What automatic distances and cameras refer to.
   const Bounds3& subject_bounds() const { return subject.empty() ? bounds : subject; }

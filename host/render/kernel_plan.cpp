@@ -6,6 +6,7 @@ KernelPlan primary_kernel(const Plan& plan) {
   KernelPlan kernel{"primary.cl", "primary", {}};
   kernel.options.define("SAMPLER", long(plan.sampler)).define("VERTEX_NORMALS", plan.vertex_normals);
   if (plan.materials) kernel.options.define("MATERIALS", 1);
+  if (plan.cutouts) kernel.options.define("CUT_OUTS", 1);
   return kernel;
 }
 
@@ -22,6 +23,9 @@ KernelPlan occlusion_kernel(const Plan& plan, const EffectPlan& effect) {
   if (e.kind != EffectKind::ro && e.cone_angle < 90) kernel.options.define("CONE", 1);
   if (e.side != Side::normal) kernel.options.define("SIDE", long(e.side));
   if (e.kind == EffectKind::bent) kernel.options.define("BENT", 1);
+  if (!effect.receivers.empty()) kernel.options.define("RECEIVERS", 1);
+  if (e.only_self) kernel.options.define("ONLY_SELF", 1);
+  if (plan.cutouts) kernel.options.define("CUT_OUTS", 1);
   if (e.kind == EffectKind::bent && e.view_space) kernel.options.define("BENT_VIEW", 1);
   return kernel;
 }

@@ -56,24 +56,31 @@ struct PathTracer::Slot {
   bool busy = false;
 };
 
+template <class T>
+ClBuffer PathTracer::optional(bool wanted, const std::vector<T>& data) const {
+  return wanted ? device_.input(data) : device_.buffer(0, CL_MEM_READ_ONLY);
+}
+
 PathTracer::PathTracer(const Device& device, const Plan& plan, const TriangleMesh& mesh, const Bvh& bvh,
                        const KernelSource& source, Traversal traversal, Programs programs)
     : device_(device),
       plan_(plan),
       scalar_traversal_(is_scalar(device, traversal)),
-      nodes_(device.input(bvh.nodes)),
-      leaves_(device.input(bvh.leaves)),
       positions_(device.input(mesh.positions)),
       triangles_(device.input(mesh.triangles)),
       programs_(programs.empty() ? build_programs(device, plan, source, traversal) : std::move(programs)) {
-  // What no kernel reads is not uploaded; an argument needs a buffer all the same.
-  const auto optional = [&](bool wanted, const auto& data) {
-    return wanted ? device.input(data) : device.buffer(0, CL_MEM_READ_ONLY);
-  };
   normals_ = optional(plan_.vertex_normals, mesh.normals);
   triangle_normals_ = optional(plan_.vertex_normals, mesh.triangle_normals);
   triangle_materials_ = optional(plan_.materials, mesh.triangle_material);
   exponents_ = optional(!plan_.exponents.empty(), plan_.exponents);
+  trees_.push_back(upload(bvh));
+  upload_sets(mesh);
+  if (plan_.cutouts) {
+    cut_outs_ = make_cut_outs(mesh);
+    cut_triangles_ = device.input(cut_outs_.triangles);
+    opacity_maps_ = device.input(cut_outs_.maps);
+    opacity_ = device.input(cut_outs_.opacity);
+  }
   for (const auto& [key, program] : programs_) {
     build_seconds_ += program.seconds;
     all_from_cache_ = all_from_cache_ && program.from_cache;
@@ -94,6 +101,32 @@ PathTracer::Programs PathTracer::build_programs(const Device& device, const Plan
   add(primary_kernel(plan));
   for (const EffectPlan& effect : plan.effects) add(occlusion_kernel(plan, effect));
   return programs;
+}
+
+PathTracer::Tree PathTracer::upload(const Bvh& bvh) const {
+  return {device_.input(bvh.nodes), device_.input(bvh.leaves)};
+}
+
+void PathTracer::upload_sets(const TriangleMesh& mesh) {
+  set_trees_.reserve(plan_.occluder_sets.size());
+  for (const std::vector<std::uint32_t>& set : plan_.occluder_sets)
+    trees_.push_back(upload(set_trees_.emplace_back(build_bvh(mesh, set))));
+  const bool self = plan_.only_self();
+  if (self) {
+    group_trees_ = build_group_trees(mesh);
+    trees_of_groups_ = upload(group_trees_.trees);
+  }
+  triangle_groups_ = optional(self, mesh.triangle_group);
+  first_of_group_ = optional(self, group_trees_.first);
+  for (const EffectPlan& effect : plan_.effects)
+    receivers_.push_back(optional(!effect.receivers.empty(), effect.receivers));
+}
+
+void PathTracer::set_tree(cl_kernel kernel, cl_uint& arg, const Tree& tree) const {
+  set_arg(kernel, arg, tree.nodes);
+  set_arg(kernel, arg, tree.leaves);
+  if (!plan_.cutouts) return;
+  for (const ClBuffer* buffer : {&cut_triangles_, &opacity_maps_, &opacity_}) set_arg(kernel, arg, *buffer);
 }
 
 ClKernel PathTracer::kernel(const KernelPlan& kernel) const {
@@ -143,8 +176,8 @@ void PathTracer::launch_primary(const EstimatorParams& params, const ClBuffer& t
   const cl_uint tasks_per_item = tasks_sharing_a_stream(params.samples);
   const cl_kernel kernel = primary_.get();
   cl_uint arg = 0;
-  for (const ClBuffer* buffer :
-       {&nodes_, &leaves_, &positions_, &triangles_, &normals_, &triangle_normals_, &triangle_materials_})
+  set_tree(kernel, arg, trees_.front());
+  for (const ClBuffer* buffer : {&positions_, &triangles_, &normals_, &triangle_normals_, &triangle_materials_})
     set_arg(kernel, arg, *buffer);
   set_arg(kernel, arg, plan_.camera);
   set_arg(kernel, arg, params);
@@ -187,9 +220,9 @@ void PathTracer::submit(Slot& slot) {
   for (std::size_t e = 0; e < effects_.size(); ++e) {
     const cl_kernel kernel = effects_[e].get();
     cl_uint arg = 0;
-    set_arg(kernel, arg, nodes_);
-    set_arg(kernel, arg, leaves_);
-    set_arg(kernel, arg, params_for(plan_.effects[e], batch));
+    const EffectPlan& effect = plan_.effects[e];
+    set_tree(kernel, arg, effect.effect.only_self ? trees_of_groups_ : trees_[effect.tree]);
+    set_arg(kernel, arg, params_for(effect, batch));
     set_arg(kernel, arg, slot.tasks);
     set_arg(kernel, arg, count);
     set_arg(kernel, arg, tasks_per_item);
@@ -198,6 +231,8 @@ void PathTracer::submit(Slot& slot) {
     for (const ClBuffer* buffer : {&exponents_, &positions_, &triangles_}) set_arg(kernel, arg, *buffer);
     set_arg(kernel, arg, plan_.camera);
     set_arg(kernel, arg, slot.extra[e]);
+    for (const ClBuffer* buffer : {&receivers_[e], &triangle_groups_, &first_of_group_})
+      set_arg(kernel, arg, *buffer);
     launch(kernel, (count + tasks_per_item - 1) / tasks_per_item, &slot.kernels.emplace_back());
     slot.host_results[e].resize(count);
   }

@@ -15,8 +15,10 @@
 #include "kernels/shared/surface_point.h"
 #include "kernels/shared/task.h"
 #include "kernels/shared/task_result.h"
+#include "render/cut_outs.hpp"
 #include "render/kernel_plan.hpp"
 #include "render/plan.hpp"
+#include "render/surface_sets.hpp"
 
 namespace nook {
 
@@ -114,7 +116,18 @@ class PathTracer {
   // Fills the next batch; false when there is none.
   using NextBatch = std::function<bool(Batch&)>;
 
+  // A tree as kernels take it; with cut-outs what they look up follows.
+  struct Tree {
+    ClBuffer nodes, leaves;
+  };
+
   ClKernel kernel(const KernelPlan& kernel) const;
+  // What no kernel reads is not uploaded; an argument needs a buffer all the same.
+  template <class T>
+  ClBuffer optional(bool wanted, const std::vector<T>& data) const;
+  Tree upload(const Bvh& bvh) const;
+  void upload_sets(const TriangleMesh& mesh);
+  void set_tree(cl_kernel kernel, cl_uint& arg, const Tree& tree) const;
   EstimatorParams params_for(const EffectPlan& effect, const Batch& batch) const;
   void launch(cl_kernel kernel, std::size_t count, ClEvent* event = nullptr);
   cl_uint tasks_sharing_a_stream(std::uint64_t rays_of_task) const;
@@ -127,9 +140,15 @@ class PathTracer {
   const Device& device_;
   Plan plan_;
   bool scalar_traversal_ = false;
-  ClBuffer nodes_, leaves_, positions_, triangles_, normals_, triangle_normals_, triangle_materials_,
-      exponents_;
-  Programs programs_;  // effects with the same options share one
+  std::vector<Bvh> set_trees_;  // of Plan::occluder_sets
+  GroupTrees group_trees_;
+  CutOuts cut_outs_;
+  std::vector<Tree> trees_;  // the scene's, then those of sets
+  Tree trees_of_groups_;
+  ClBuffer positions_, triangles_, normals_, triangle_normals_, triangle_materials_, exponents_,
+      triangle_groups_, first_of_group_, cut_triangles_, opacity_maps_, opacity_;
+  std::vector<ClBuffer> receivers_;  // by effect
+  Programs programs_;                // effects with the same options share one
   ClKernel primary_;
   std::vector<ClKernel> effects_;
   RenderCounters counters_;

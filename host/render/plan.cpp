@@ -94,6 +94,14 @@ std::vector<float> exponents_of(const Scene& scene, const TriangleMesh& mesh) {
   return exponents;
 }
 
+// Where in `sets` the set is, from 1; appended if it is new.
+std::size_t index_of_set(std::vector<std::uint32_t> set, std::vector<std::vector<std::uint32_t>>& sets) {
+  const auto found = std::find(sets.begin(), sets.end(), set);
+  const auto index = std::size_t(found - sets.begin()) + 1;
+  if (found == sets.end()) sets.push_back(std::move(set));
+  return index;
+}
+
 // Settings that exclude one another, wherever they came from: scene file or command line.
 void check(const Scene& scene, const EffectPlan& planned) {
   const Effect& effect = planned.effect;
@@ -111,6 +119,10 @@ void check(const Scene& scene, const EffectPlan& planned) {
 
 }  // namespace
 
+bool Plan::only_self() const {
+  return std::any_of(effects.begin(), effects.end(), [](const EffectPlan& e) { return e.effect.only_self; });
+}
+
 Camera resolve_camera(const Scene& scene, const Bounds3& bounds) {
   return scene.automatic_camera ? framing_camera(scene, bounds) : scene.camera;
 }
@@ -120,7 +132,13 @@ MeshAttributes needed_attributes(const Scene& scene, bool surface) {
   for (const Effect& effect : scene.effects)
     needs.normals =
         needs.normals || (effect.kind != EffectKind::position && effect.kind != EffectKind::depth);
-  needs.materials = any_lobe_of_material(scene);
+  needs.materials = any_lobe_of_material(scene) || scene.cutouts;
+  needs.uvs = scene.cutouts;
+  for (const Effect& effect : scene.effects) {
+    const bool names = !effect.occluders.empty() || !effect.receivers.empty();
+    needs.groups = needs.groups || names || effect.only_self;
+    needs.materials = needs.materials || names;
+  }
   return needs;
 }
 
@@ -172,6 +190,7 @@ Plan make_plan(const Scene& scene, const TriangleMesh& mesh, bool surface) {
   plan.sampler = scene.sampler;
   plan.seed = scene.seed;
   plan.surface = surface;
+  plan.cutouts = !mesh.opacity_maps.empty();
   if (any_lobe_of_material(scene)) plan.exponents = exponents_of(scene, mesh);
   plan.materials = !plan.exponents.empty();
   for (const Effect& effect : scene.effects) {
@@ -190,10 +209,17 @@ Plan make_plan(const Scene& scene, const TriangleMesh& mesh, bool surface) {
                                  ? *std::max_element(plan.exponents.begin(), plan.exponents.end())
                                  : effect.exponent);
       check(scene, planned);
+      if (!effect.occluders.empty())
+        planned.tree = index_of_set(triangles_of(named_triangles(scene, mesh, "occluders", effect.occluders)),
+                                    plan.occluder_sets);
+      if (!effect.receivers.empty())
+        planned.receivers = named_triangles(scene, mesh, "receivers", effect.receivers);
       plan.effects.push_back(planned);
     }
     plan.layers.push_back(layer);
   }
+  plan.denoise = scene.denoise && !plan.effects.empty();
+  plan.surface = plan.surface || plan.denoise;
   plan.vertex_normals =
       mesh.has_normals() && plan.needs_opencl() && needed_attributes(scene, surface).normals;
   return plan;

@@ -7,6 +7,7 @@
 #include "kernels/shared/camera.h"
 #include "mesh/obj_loader.hpp"
 #include "mesh/triangle_mesh.hpp"
+#include "render/surface_sets.hpp"
 #include "scene/scene.hpp"
 
 namespace nook {
@@ -19,6 +20,8 @@ struct EffectPlan {
   float sum_scale = 1;      ///< of Film::sum
   float square_scale = 1;   ///< of Film::sum_square
   std::string layer;        ///< see LayerPlan::prefix
+  std::size_t tree = 0;     ///< what occludes: 0: every triangle; i: Plan::occluder_sets[i - 1]
+  TriangleBits receivers;   ///< where it is estimated; empty: everywhere
 
   /// Planes of Film::extra.
   std::size_t extra_planes() const { return effect.kind == EffectKind::bent ? 3 : 0; }
@@ -49,13 +52,18 @@ struct Plan {
   bool vertex_normals = false;  ///< uploaded and interpolated
   bool materials = false;       ///< each triangle's material is uploaded, and surface points know theirs
   bool surface = false;         ///< the surface at the pixels' centres is read back: normal, position, depth
-  std::vector<EffectPlan> effects;  ///< the path-traced ones
-  std::vector<SsaoSettings> ssao;   ///< the screen-space ones
-  std::vector<LayerPlan> layers;    ///< all of them, as the picture holds them
+  bool cutouts = false;         ///< rays look up opacity maps
+  bool denoise = false;         ///< the traced values are filtered
+  std::vector<std::vector<std::uint32_t>> occluder_sets;  ///< triangles, each set once; a tree each
+  std::vector<EffectPlan> effects;                        ///< the path-traced ones
+  std::vector<SsaoSettings> ssao;                         ///< the screen-space ones
+  std::vector<LayerPlan> layers;                          ///< all of them, as the picture holds them
   std::vector<float>
       exponents;  ///< Phong exponent by material, negative without a lobe; empty unless an effect reads it
 
   bool needs_opencl() const { return surface || !effects.empty(); }
+  /// Some effect's surfaces are occluded by their own groups alone.
+  bool only_self() const;
 
   /// What a pixel's samples are counted in: camera rays or, with one camera ray a pixel, directions.
   std::uint32_t samples_per_pixel() const { return replicate_directions ? directions : spp; }
@@ -70,7 +78,8 @@ struct Plan {
 MeshAttributes needed_attributes(const Scene& scene, bool surface = false);
 
 /// The plan of a validated scene. `surface`: the surface at the pixels' centres is asked for beside the
-/// effects. Throws Error(scene) if the mesh cannot carry it out (a lobe by material without materials).
+/// effects. Throws Error(scene) if the mesh cannot carry it out (a lobe by material without materials, a set
+/// of an unknown name).
 Plan make_plan(const Scene& scene, const TriangleMesh& mesh, bool surface = false);
 
 /// The camera of a scene: its own, or the automatic one, which frames `bounds`.

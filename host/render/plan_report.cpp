@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "kernels/shared/task.h"
+#include "render/cut_outs.hpp"
+#include "render/surface_sets.hpp"
 #include "scene/names.hpp"
 
 namespace nook {
@@ -18,6 +20,11 @@ std::uint64_t bytes_of(const Vector& values) {
 void add_passes(const Plan& plan, const TriangleMesh& mesh, PlanReport& report) {
   if (plan.needs_opencl())
     report.passes.push_back({"tree", fmt::format("over {} triangles", mesh.triangles.size()), 0});
+  for (const auto& set : plan.occluder_sets)
+    report.passes.push_back(
+        {"tree", fmt::format("over the {} triangles of a set of occluders", set.size()), 0});
+  if (plan.only_self())
+    report.passes.push_back({"trees", fmt::format("one for each of {} groups", mesh.groups.size()), 0});
   const std::uint64_t pixels = std::uint64_t(plan.window.width()) * std::uint64_t(plan.window.height());
   if (!plan.effects.empty())
     report.passes.push_back(
@@ -32,6 +39,7 @@ void add_passes(const Plan& plan, const TriangleMesh& mesh, PlanReport& report) 
                                          effect.layer.empty() ? "R,G,B" : effect.layer + "*"),
                              pixels * plan.spp * plan.directions});
   if (plan.surface) report.passes.push_back({"surface", "the surface at the pixels' centres", pixels});
+  if (plan.denoise) report.passes.push_back({"denoise", "what was traced, on the host", 0});
   for (std::size_t i = 0; i < plan.ssao.size(); ++i)
     report.passes.push_back({"ssao", std::string(name_of(plan.ssao[i].method)), 0});
 }
@@ -56,6 +64,20 @@ void add_buffers(const Plan& plan, const TriangleMesh& mesh, const Bvh& bvh, Pla
   if (plan.vertex_normals) {
     report.buffers.push_back({"normals", bytes_of(mesh.normals)});
     report.buffers.push_back({"triangle normals", bytes_of(mesh.triangle_normals)});
+  }
+  for (const auto& set : plan.occluder_sets)
+    report.buffers.push_back({"tree of a set", build_bvh(mesh, set).bytes()});
+  if (plan.only_self()) {
+    const GroupTrees groups = build_group_trees(mesh);
+    report.buffers.push_back({"trees of groups", groups.trees.bytes()});
+    report.buffers.push_back({"groups", bytes_of(groups.first) + bytes_of(mesh.triangle_group)});
+  }
+  for (const EffectPlan& effect : plan.effects)
+    if (!effect.receivers.empty()) report.buffers.push_back({"receivers", bytes_of(effect.receivers)});
+  if (plan.cutouts) {
+    const CutOuts cut_outs = make_cut_outs(mesh);
+    report.buffers.push_back({"triangles in opacity maps", bytes_of(cut_outs.triangles)});
+    report.buffers.push_back({"opacity maps", bytes_of(cut_outs.maps) + bytes_of(cut_outs.opacity)});
   }
   if (plan.surface)
     report.buffers.push_back({"surface tasks", std::uint64_t(plan.window.width()) *
@@ -90,6 +112,11 @@ void add_left_out(const Scene& scene, const Plan& plan, const TriangleMesh& mesh
   if (!read.uvs) out("no texture coordinates: no effect reads them");
   if (!read.materials) out("no materials: no effect reads them");
   if (!read.groups) out("no groups: no effect reads them");
+  if (plan.needs_opencl() && !scene.cutouts) out("no cut-outs: the scene does not ask for them (cutouts)");
+  if (scene.cutouts && !plan.cutouts)
+    out("no cut-outs, no texture is read: no material has an opacity map (map_d)");
+  if (plan.cutouts && !plan.ssao.empty()) out("SSAO draws triangles whole: no cut-outs there");
+  if (!plan.effects.empty() && !plan.denoise) out("no denoiser: the scene does not ask for it");
   add_left_out_rays(plan, mesh, report);
 }
 

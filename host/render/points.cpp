@@ -60,7 +60,7 @@ SurfacePoint surface_point(const vec3& position, const vec3& normal, const vec3&
   SurfacePoint point{};
   store(point.origin, vec3(dvec3(position) + gamma7 * reach * dvec3(normal)));
   point.distance = float(gamma7 * reach);
-  point.flags = SURFACE_HIT;
+  point.flags = SURFACE_HIT | SURFACE_GIVEN;
   store(point.normal, normal);
   store(point.geometric_normal, normal);
   store(point.view, view);

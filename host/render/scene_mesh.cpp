@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "mesh/instance.hpp"
 #include "mesh/ply.hpp"
+#include "render/cut_outs.hpp"
 
 namespace nook {
 namespace {
@@ -43,6 +44,7 @@ TriangleMesh load_scene_mesh(const Scene& scene, const MeshAttributes& attribute
     const float height = scene.ground->height.value_or(whole.bounds.lo.y);
     append_ground(whole, height, scene.ground->reach.value_or(20 * whole.bounds.bounding_radius()));
   }
+  if (scene.cutouts && attributes.materials) load_opacity_maps(whole);
   return whole;
 }
 

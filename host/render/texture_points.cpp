@@ -147,6 +147,7 @@ TexturePoints texture_points(const TriangleMesh& mesh, int size) {
     made.positions.push_back(vec3(position));
     made.normals.push_back(vec3(normal_at(mesh, t, weights)));
     made.points.push_back(surface_point(made.positions.back(), made.normals.back(), vec3(0), mesh.bounds));
+    made.points.back().triangle = t;
   }
   return made;
 }

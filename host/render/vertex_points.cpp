@@ -43,6 +43,8 @@ std::vector<SurfacePoint> vertex_points(const TriangleMesh& mesh, const std::vec
   std::vector<SurfacePoint> points(mesh.positions.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     if (normals[i] != vec3(0)) points[i] = surface_point(mesh.positions[i], normals[i], vec3(0), mesh.bounds);
+  for (std::size_t t = mesh.triangles.size(); t-- > 0;)
+    for (const std::uint32_t position : mesh.triangles[t]) points[position].triangle = std::uint32_t(t);
   return points;
 }
 

@@ -13,7 +13,7 @@ namespace nook {
 std::vector<vec3> position_normals(const TriangleMesh& mesh);
 
 /// A surface point for each position of the mesh, in order, for PathTracer::estimate_points; one that no
-/// triangle uses is no hit.
+/// triangle uses is no hit. It belongs to the first triangle that uses it.
 std::vector<SurfacePoint> vertex_points(const TriangleMesh& mesh, const std::vector<vec3>& normals);
 
 }  // namespace nook

@@ -79,6 +79,7 @@ std::map<std::string, std::string> RunRecord::metadata() const {
       m[prefix + "exponent"] =
           effect.effect.exponent_of_material ? "material" : fmt::format("{}", effect.effect.exponent);
   }
+  if (plan.denoise) m["nook/denoised"] = "a-trous";
   for (std::size_t e = 0; e < ssao.size(); ++e) {
     const std::size_t index = plan.effects.size() + e;
     add_ssao_metadata(m, index == 0 ? "nook/" : fmt::format("nook/effect{}/", index + 1), ssao[e]);

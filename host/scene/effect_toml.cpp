@@ -79,6 +79,38 @@ std::string read_name(TomlTable& table) {
   return name;
 }
 
+// A list of names, or a word for a set that needs no names; `word` of it is returned.
+std::vector<std::string> read_set(TomlTable& table, const char* key, const char* expected,
+                                  std::string& word) {
+  const toml::node* node = table.find(key);
+  if (!node) return {};
+  const toml::array* list = node->as_array();
+  if (!list) {
+    word = node->value_or(std::string());
+    if (!node->is_string()) table.wrong(*node, key, expected);
+    return {};
+  }
+  std::vector<std::string> names;
+  for (const toml::node& name : *list) {
+    names.push_back(name.value_or(std::string()));
+    if (!name.is_string() || names.back().empty()) table.wrong(name, key, expected);
+  }
+  if (names.empty()) table.wrong(*node, key, expected);
+  return names;
+}
+
+void read_sets(TomlTable& table, Effect& effect) {
+  const char* of_occluders = "a list of groups and materials, \"self\" or \"all\"";
+  const char* of_receivers = "a list of groups and materials, or \"all\"";
+  std::string word = "all";
+  effect.occluders = read_set(table, "occluders", of_occluders, word);
+  effect.only_self = word == "self";
+  if (word != "all" && word != "self") table.wrong(*table.find("occluders"), "occluders", of_occluders);
+  word = "all";
+  effect.receivers = read_set(table, "receivers", of_receivers, word);
+  if (word != "all") table.wrong(*table.find("receivers"), "receivers", of_receivers);
+}
+
 void read_traced(TomlTable& table, Effect& effect) {
   effect.sampling = read_sampling(table, effect.kind);
   if (effect.kind == EffectKind::ro) effect.max_distance.kind = DistanceLimit::Kind::none;
@@ -87,6 +119,7 @@ void read_traced(TomlTable& table, Effect& effect) {
       float(table.number("min_distance", effect.min_distance, 0, 1e30, "a distance of at least 0"));
   effect.falloff = table.choice<Falloff>("falloff", effect.falloff, falloff_names);
   effect.side = table.choice<Side>("side", effect.side, side_names);
+  read_sets(table, effect);
   if (effect.kind == EffectKind::ro) return;
   effect.cone_angle =
       float(table.number("cone_angle", effect.cone_angle, 0, 90, "an angle above 0 and up to 90 degrees"));

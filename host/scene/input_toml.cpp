@@ -67,6 +67,7 @@ void read_input(TomlTable& input, TomlTable& ground, const toml::node* instances
     scene.instances.push_back(read_instance(table, folder));
   }
   if (!scene.instances.empty()) scene.mesh_file = scene.instances.front().mesh_file;
+  scene.cutouts = input.boolean("cutouts", false);
   if (!ground) return;
   scene.ground.emplace();
   scene.ground->height = number_or_auto(ground, "height", -1e30, "a number, or \"auto\"");

@@ -71,6 +71,9 @@ struct Effect {
   float cone_angle = 90;   ///< AO, bent: half-angle of the cone about the normal, degrees, in (0, 90]
   Side side = Side::normal;
   bool view_space = false;  ///< bent: along the camera's right, up and back axes instead of the world's
+  /// Names of OBJ groups and materials: what occludes, and where the effect is estimated. Empty: everything.
+  std::vector<std::string> occluders, receivers;
+  bool only_self = false;  ///< nothing occludes a surface but its own OBJ group
   SsaoSettings ssao;
 };
 
@@ -99,6 +102,7 @@ struct Scene {
   std::filesystem::path mesh_file;  ///< resolved against the scene file's folder
   std::vector<Instance> instances;  ///< if any, they are the scene, and mesh_file is the first one's
   std::optional<Ground> ground;
+  bool cutouts = false;  ///< materials' opacity maps (map_d) cut holes
   Camera camera;
   bool automatic_camera = false;  ///< frame the mesh (a bare OBJ)
   int width = 768, height = 576;  ///< pixels
@@ -110,6 +114,7 @@ struct Scene {
   Sampler sampler = Sampler::sobol;
   std::uint32_t seed = 0;
   bool compat_tinyrender = false;  ///< automatic AO limit 1.5, as the course's images have
+  bool denoise = false;            ///< filter what is traced; see film/denoise.hpp
 };
 
 }  // namespace nook

@@ -43,6 +43,7 @@ void read_renderer(TomlTable& renderer, Scene& scene) {
   scene.sampler = renderer.choice<Sampler>("sampler", Sampler::sobol, sampler_names);
   scene.seed = std::uint32_t(renderer.integer("seed", 0, 0, 0xffffffffLL));
   static constexpr std::pair<std::string_view, bool> compat_names[] = {{"tinyrender", true}, {"none", false}};
+  scene.denoise = renderer.boolean("denoise", false);
   scene.compat_tinyrender = renderer.choice<bool>("compat", false, compat_names);
 }
 

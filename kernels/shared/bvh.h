@@ -4,6 +4,10 @@
 #define NOOK_SHARED_BVH_H
 
 #include "portable.h"
+#ifdef __OPENCL_C_VERSION__
+#include "config.h"
+#include "shared/cut_out.h"
+#endif
 
 #define BVH_WIDTH 16           // children of a node
 #define BVH_LEAF_WIDTH 8       // triangles of a leaf: 8 or 16
@@ -33,9 +37,19 @@ typedef struct {
 } TriangleLeaf;
 
 #ifdef __OPENCL_C_VERSION__
-// What a kernel passes through to the traversal: its buffers are Bvh::nodes and Bvh::leaves, in this order.
+// What a kernel passes through to the traversal: its buffers are Bvh::nodes and Bvh::leaves, in this order, and with CUT_OUTS
+// those of CutOuts. BVH_ARGS_AT: of several trees in one pair of buffers, the one that starts there.
+#if CUT_OUTS
+#define BVH_PARAMS                                                                                              \
+  __global const BvhNode *nodes, __global const TriangleLeaf *leaves, __global const CutTriangle *cut_triangles, \
+      __global const OpacityMapPlace *opacity_maps, __global const uchar *opacity
+#define BVH_ARGS_AT(node, leaf) nodes + (node), leaves + (leaf), cut_triangles, opacity_maps, opacity
+#define BVH_ARGS nodes, leaves, cut_triangles, opacity_maps, opacity
+#else
 #define BVH_PARAMS __global const BvhNode *nodes, __global const TriangleLeaf *leaves
+#define BVH_ARGS_AT(node, leaf) nodes + (node), leaves + (leaf)
 #define BVH_ARGS nodes, leaves
+#endif
 #endif
 
 #endif

@@ -1,0 +1,218 @@
+// nook_bench effects: the time of each effect and setting over that of plain AO, in rounds that take turns;
+// and that what is switched off costs nothing.
+#include "effects.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+#include "record.hpp"
+#include "render/denoise_picture.hpp"
+#include "render/path_tracer.hpp"
+#include "render/picture.hpp"
+#include "render/scene_mesh.hpp"
+#include "render/texture_points.hpp"
+#include "scene/scene_toml.hpp"
+#include "stopwatch.hpp"
+
+namespace nook::bench {
+namespace {
+
+struct Settings {
+  int width = 320, height = 240, spp = 16, rounds = 9;
+  std::vector<std::string> cases;
+  std::string output;
+};
+
+struct Case {
+  std::string name;
+  std::string scene;  // of scenes/, without .toml
+  std::function<void(Scene&)> change;
+  enum class What { picture, denoised, texture } what = What::picture;
+};
+
+std::vector<Case> all_cases() {
+  const auto first = [](auto change) { return [change](Scene& scene) { change(scene.effects.front()); }; };
+  const auto falloff = [&](Falloff kind) { return first([kind](Effect& e) { e.falloff = kind; }); };
+  const std::string box = "cbox_ao_cosine", plants = "effects/cutouts";
+  return {
+      {"plain AO again", box, [](Scene&) {}},
+      {"every setting named, at its default", box,
+       [](Scene& scene) {
+         scene.cutouts = true;  // no material has a map
+         scene.denoise = false;
+         Effect& e = scene.effects.front();
+         e.falloff = Falloff::none;
+         e.min_distance = 0;
+         e.cone_angle = 90;
+         e.side = Side::normal;
+         e.only_self = false;
+       }},
+      {"falloff linear", box, falloff(Falloff::linear)},
+      {"falloff smooth", box, falloff(Falloff::smooth)},
+      {"falloff exponential", box, falloff(Falloff::exponential)},
+      {"min_distance", box, first([](Effect& e) { e.min_distance = 0.1f; })},
+      {"cone_angle 30", box, first([](Effect& e) { e.cone_angle = 30; })},
+      {"side inside", box, first([](Effect& e) { e.side = Side::inside; })},
+      {"side viewer", box, first([](Effect& e) { e.side = Side::viewer; })},
+      {"occluders: two groups", box, first([](Effect& e) {
+         e.occluders = {"sphere_left", "sphere_right"};
+       })},
+      {"receivers: two groups", box, first([](Effect& e) {
+         e.receivers = {"sphere_left", "sphere_right"};
+       })},
+      {"occluders self", box, first([](Effect& e) { e.only_self = true; })},
+      {"bent", box, first([](Effect& e) { e.kind = EffectKind::bent; })},
+      {"bent, view space", box, first([](Effect& e) { e.kind = EffectKind::bent, e.view_space = true; })},
+      {"ro, exponent 30", box,
+       first([](Effect& e) { e.kind = EffectKind::ro, e.sampling = Sampling::lobe; })},
+      {"ro, exponent of the material", box, first([](Effect& e) {
+         e.kind = EffectKind::ro, e.sampling = Sampling::lobe, e.exponent_of_material = true;
+       })},
+      {"ground", box, [](Scene& scene) { scene.ground.emplace(); }},
+      {"cut-outs", plants, [](Scene& scene) { scene.cutouts = true; }},
+      {"denoise", box, [](Scene& scene) { scene.denoise = true; }, Case::What::denoised},
+      {"texture bake, by the ray", "effects/bake", [](Scene&) {}, Case::What::texture},
+  };
+}
+
+// One scene ready to run, again and again.
+class Run {
+ public:
+  Run(const Device& device, Scene scene, Case::What what)
+      : what_(what),
+        mesh_(load_scene_mesh(scene, attributes_of(scene, what))),
+        plan_(make_plan(scene, mesh_)),
+        bvh_(build_bvh(mesh_)),
+        tracer_(device, plan_, mesh_, bvh_),
+        pixels_(pixels_in_order(plan_.window, plan_.width)) {
+    if (what == Case::What::texture) texels_ = texture_points(mesh_, 128);
+    tracer_.store_programs();
+  }
+
+  struct Cost {
+    double seconds = 0;
+    std::uint64_t rays = 0;
+  };
+  Cost once() {
+    const std::uint64_t before = tracer_.counters().occlusion_rays;
+    const Stopwatch watch;
+    if (what_ == Case::What::texture)
+      tracer_.estimate_all(texels_.points, 64);
+    else
+      picture();
+    return {watch.seconds(), tracer_.counters().occlusion_rays - before};
+  }
+
+ private:
+  static MeshAttributes attributes_of(const Scene& scene, Case::What what) {
+    MeshAttributes attributes = needed_attributes(scene);
+    attributes.uvs = attributes.uvs || what == Case::What::texture;
+    return attributes;
+  }
+
+  void picture() {
+    FilmPart part;
+    part.films = tracer_.make_films();
+    part.layers = layer_names(plan_);
+    tracer_.accumulate(pixels_, {0, plan_.spp}, part.films);
+    Image image = make_picture(part);
+    if (what_ != Case::What::denoised) return;
+    std::vector<std::uint32_t> row_major(pixels_);
+    std::sort(row_major.begin(), row_major.end());
+    denoise_picture(plan_, part.films, tracer_.surface_points(row_major), image);
+  }
+
+  Case::What what_;
+  TriangleMesh mesh_;
+  Plan plan_;
+  Bvh bvh_;
+  PathTracer tracer_;
+  std::vector<std::uint32_t> pixels_;
+  TexturePoints texels_;
+};
+
+Scene scene_of(const Settings& settings, const std::string& name) {
+  Scene scene = load_scene(std::string(NOOK_SOURCE_DIR) + "/scenes/" + name + ".toml");
+  scene.width = settings.width;
+  scene.height = settings.height;
+  scene.spp = std::uint32_t(settings.spp);
+  scene.cutouts = false;
+  Effect& effect = scene.effects.front();
+  effect.max_distance = {DistanceLimit::Kind::value, 1.0f};
+  effect.side = Side::normal;
+  return scene;
+}
+
+void measure(const Settings& settings, const Device& device, const Case& one) {
+  Scene scene = scene_of(settings, one.scene);
+  Run plain(device, scene, Case::What::picture);
+  one.change(scene);
+  Run changed(device, scene, one.what);
+  plain.once();
+  changed.once();
+  std::vector<double> ratios;
+  Run::Cost a, b;
+  for (int round = 0; round < settings.rounds; ++round) {
+    // Who goes first changes, so that neither always runs on the other's warm caches.
+    if (round % 2) a = plain.once();
+    b = changed.once();
+    if (round % 2 == 0) a = plain.once();
+    double ratio = b.seconds / a.seconds;
+    if (one.what == Case::What::texture) ratio *= double(a.rays) / double(b.rays);
+    ratios.push_back(ratio);
+  }
+  const auto [least, greatest] = std::minmax_element(ratios.begin(), ratios.end());
+  std::printf("| %s | %.2f [%.2f, %.2f] | %.2f |\n", one.name.c_str(), median(ratios), *least, *greatest,
+              double(b.rays) / double(a.rays));
+  std::fflush(stdout);
+  append_record(settings.output, {{"bench", "effects"},
+                                  {"case", one.name},
+                                  {"scene", one.scene},
+                                  {"width", settings.width},
+                                  {"height", settings.height},
+                                  {"spp", settings.spp},
+                                  {"rounds", settings.rounds},
+                                  {"cpu_time", Stopwatch::cpu_time},
+                                  {"ratio", median(ratios)},
+                                  {"least", *least},
+                                  {"greatest", *greatest},
+                                  {"rays", b.rays},
+                                  {"rays_of_plain", a.rays}});
+}
+
+void run(const Settings& settings) {
+  const Device device(select_device("cpu"));
+  std::printf("| against plain AO | time | rays |\n|---|---|---|\n");
+  bool any = false;
+  for (const Case& one : all_cases()) {
+    const bool asked =
+        settings.cases.empty() ||
+        std::any_of(settings.cases.begin(), settings.cases.end(),
+                    [&](const std::string& part) { return one.name.find(part) != std::string::npos; });
+    if (!asked) continue;
+    any = true;
+    measure(settings, device, one);
+  }
+  if (!any) throw Error(ExitCode::usage, "--cases: no case has such a name");
+}
+
+}  // namespace
+
+void add_effects(CLI::App& app) {
+  auto settings = std::make_shared<Settings>();
+  CLI::App* command = app.add_subcommand("effects", "Each effect and setting against plain AO");
+  command->add_option("--width", settings->width, "Pixels");
+  command->add_option("--height", settings->height, "Pixels");
+  command->add_option("--spp", settings->spp, "Camera rays a pixel, one direction each");
+  command->add_option("--rounds", settings->rounds, "Runs of each side")->check(CLI::Range(1, 1000));
+  command->add_option("--cases", settings->cases, "Parts of cases' names; default: all")->delimiter(',');
+  command->add_option("--output", settings->output, "Append one JSON line a case to this file");
+  command->add_flag("--cpu-time", Stopwatch::cpu_time,
+                    "CPU seconds of the process instead of the wall clock's");
+  command->callback([settings] { run(*settings); });
+}
+
+}  // namespace nook::bench
