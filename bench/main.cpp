@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "base/error.hpp"
+#include "effects.hpp"
 #include "end_to_end.hpp"
 #include "occlusion.hpp"
 #include "record.hpp"
@@ -15,6 +16,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   nook::bench::add_occlusion(app);
   nook::bench::add_tree(app);
+  nook::bench::add_effects(app);
   nook::bench::add_end_to_end(app);
   nook::bench::add_overhead(app);
   nook::bench::add_scaling(app);

@@ -27,8 +27,7 @@ float opacity_at(const OpacityMapPlace map, __global const uchar* opacity, float
 }
 
 // Whether the point (1-u-v) p0 + u p1 + v p2 of a triangle lies in a hole.
-bool in_hole(__global const CutTriangle* cut_triangles, __global const OpacityMapPlace* opacity_maps,
-             __global const uchar* opacity, uint triangle, float u, float v) {
+bool in_hole(CUT_PARAMS, uint triangle, float u, float v) {
   __global const CutTriangle* t = cut_triangles + triangle;
   if (t->map == NO_OPACITY_MAP) return false;
   const float w = 1.0f - u - v;
@@ -38,7 +37,7 @@ bool in_hole(__global const CutTriangle* cut_triangles, __global const OpacityMa
 }
 
 #if CUT_OUTS
-#define IN_HOLE(triangle, u, v) in_hole(cut_triangles, opacity_maps, opacity, triangle, u, v)
+#define IN_HOLE(triangle, u, v) in_hole(CUT_ARGS, triangle, u, v)
 #else
 #define IN_HOLE(triangle, u, v) false
 #endif

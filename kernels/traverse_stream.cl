@@ -7,8 +7,9 @@
 #include "stream_tests.cl"
 #include "traverse_packet.cl"
 
+#if CUT_OUTS
 // `met` (-1 where ray k meets a lane's triangle, else 0) without the lanes where it goes through a hole.
-INLINE leaf_int without_holes(BVH_PARAMS, __global const TriangleLeaf* leaf, leaf_int met, const RayDirections* origins,
+INLINE leaf_int without_holes(CUT_PARAMS, __global const TriangleLeaf* leaf, leaf_int met, const RayDirections* origins,
                               const RayDirections* d, uint k) {
   const leaf_int leaf_bits = LEAF_BITS;
   uint open = 0;
@@ -18,6 +19,10 @@ INLINE leaf_int without_holes(BVH_PARAMS, __global const TriangleLeaf* leaf, lea
   }
   return met & ((leaf_bits & (leaf_int)(int)open) == 0);
 }
+#define WITHOUT_HOLES(leaf, met, origins, d, k) without_holes(CUT_ARGS, leaf, met, origins, d, k)
+#else
+#define WITHOUT_HOLES(leaf, met, origins, d, k) (met)
+#endif
 
 // The any-hit traversal. What a node pushes is fetched into the cache at once, and one more entry is visited before the
 // stack's new top: the memory is there when its turn comes.
@@ -42,9 +47,8 @@ uint stream_occluded(BVH_PARAMS, const RayDirections* origins, const RayDirectio
       do {
         const uint k = LOWEST_BIT(rest);
         rest &= rest - 1;
-        leaf_int of_ray = leaf_occludes(leaf, &rays, k);
-        if (CUT_OUTS) of_ray = without_holes(BVH_ARGS, leaf, of_ray, origins, d, k);
-        met |= of_ray & (leaf_int)(int)(1u << k);
+        const leaf_int of_ray = leaf_occludes(leaf, &rays, k);
+        met |= WITHOUT_HOLES(leaf, of_ray, origins, d, k) & (leaf_int)(int)(1u << k);
       } while (rest);
       open &= ~(uint)OR_LEAF_LANES(met);
     } else if (rest) {

@@ -42,6 +42,13 @@ std::vector<float>* values_of(Image& image, const std::string& name) {
   return found == image.channels.end() ? nullptr : std::get_if<std::vector<float>>(&found->values);
 }
 
+DenoiseGuides guides_of(const GuidePlanes& planes, int width, int height) {
+  return {width,
+          height,
+          {planes.normal[0], planes.normal[1], planes.normal[2]},
+          {planes.position[0], planes.position[1], planes.position[2]}};
+}
+
 std::vector<float> filtered(const DenoiseGuides& guides, const Film& film, const std::vector<float>& values) {
   std::vector<float> of_surface(values.size()), variance(values.size());
   const auto share = [&](std::size_t i) {
@@ -63,10 +70,7 @@ std::vector<float> filtered(const DenoiseGuides& guides, const Film& film, const
 void denoise_picture(const Plan& plan, std::span<const Film> films, std::span<const SurfacePoint> surface,
                      Image& image) {
   const GuidePlanes planes = planes_of(surface);
-  const DenoiseGuides guides{image.width,
-                             image.height,
-                             {planes.normal[0], planes.normal[1], planes.normal[2]},
-                             {planes.position[0], planes.position[1], planes.position[2]}};
+  const DenoiseGuides guides = guides_of(planes, image.width, image.height);
   auto layer = plan.layers.begin();
   for (std::size_t e = 0; e < plan.effects.size(); ++e, ++layer) {
     layer = std::find_if(layer, plan.layers.end(), [](const LayerPlan& l) { return is_traced(l.kind); });
@@ -75,6 +79,13 @@ void denoise_picture(const Plan& plan, std::span<const Film> films, std::span<co
     for (const std::string& name : names)
       if (std::vector<float>* values = values_of(image, name)) *values = made;
   }
+}
+
+std::vector<float> denoised_values(const Film& film, std::span<const SurfacePoint> surface) {
+  const GuidePlanes planes = planes_of(surface);
+  std::vector<float> values(film.pixels());
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = float(film.value(i));
+  return filtered(guides_of(planes, film.width, film.height), film, values);
 }
 
 }  // namespace nook

@@ -17,4 +17,7 @@ namespace nook {
 void denoise_picture(const Plan& plan, std::span<const Film> films, std::span<const SurfacePoint> surface,
                      Image& image);
 
+/// The denoised values of one film of a whole picture's window, one point per pixel as above.
+std::vector<float> denoised_values(const Film& film, std::span<const SurfacePoint> surface);
+
 }  // namespace nook

@@ -76,7 +76,7 @@ void add_buffers(const Plan& plan, const TriangleMesh& mesh, const Bvh& bvh, Pla
     if (!effect.receivers.empty()) report.buffers.push_back({"receivers", bytes_of(effect.receivers)});
   if (plan.cutouts) {
     const CutOuts cut_outs = make_cut_outs(mesh);
-    report.buffers.push_back({"triangles in opacity maps", bytes_of(cut_outs.triangles)});
+    report.buffers.push_back({"cut-out triangles", bytes_of(cut_outs.triangles)});
     report.buffers.push_back({"opacity maps", bytes_of(cut_outs.maps) + bytes_of(cut_outs.opacity)});
   }
   if (plan.surface)

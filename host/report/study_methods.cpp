@@ -224,6 +224,7 @@ std::vector<StudyMethod> StudyScene::methods(const StudyChoice& choice) const {
         method.predicted_variance = moment - v.mean_square_value;
     }
   }
+  if (!chosen) methods.push_back(denoised(choice.max_spp));
   if (choice.adaptive) methods.push_back(adaptive());
   if (choice.ssao && !ro && std::isfinite(effect.max_distance) && !scene_.automatic_camera) {
     using Quality = SsaoSettings::Quality;

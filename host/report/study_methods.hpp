@@ -39,6 +39,8 @@ class StudyScene {
   StudyMethod path_traced(Sampling sampling, Sampler sampler, std::uint32_t directions,
                           std::uint32_t max_spp) const;
   StudyMethod adaptive() const;
+  /// Cosine (RO: lobe) and Sobol' through film/denoise.hpp.
+  StudyMethod denoised(std::uint32_t max_spp) const;
 
   /// 16 independent scrambles of Halton's sequence (no method's random numbers: the seeds are others),
   /// doubled for about `seconds`; the variance is measured between the scrambles.

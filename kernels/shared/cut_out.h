@@ -22,4 +22,11 @@ typedef struct {
   nook_uint reserved;
 } OpacityMapPlace;
 
+#ifdef __OPENCL_C_VERSION__
+// What a kernel passes through: the buffers of CutOuts, in this order.
+#define CUT_PARAMS \
+  __global const CutTriangle *cut_triangles, __global const OpacityMapPlace *opacity_maps, __global const uchar *opacity
+#define CUT_ARGS cut_triangles, opacity_maps, opacity
+#endif
+
 #endif

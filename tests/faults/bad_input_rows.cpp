@@ -14,8 +14,8 @@ std::vector<std::string> words(const std::string& command) {
 
 std::vector<BadInput> bad_input_rows() {
   std::vector<BadInput> all;
-  for (const auto& rows : {scene_rows(), mesh_rows(), option_rows(), output_rows(), device_rows(),
-                           point_rows(), bake_rows(), part_rows()})
+  for (const auto& rows : {scene_rows(), mesh_rows(), effect_rows(), option_rows(), output_rows(),
+                           device_rows(), point_rows(), bake_rows(), part_rows()})
     all.insert(all.end(), rows.begin(), rows.end());
   return all;
 }

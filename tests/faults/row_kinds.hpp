@@ -20,6 +20,7 @@ inline std::vector<std::pair<std::string, std::string>> mesh(const std::string& 
 
 std::vector<BadInput> scene_rows();
 std::vector<BadInput> mesh_rows();
+std::vector<BadInput> effect_rows();
 std::vector<BadInput> option_rows();
 std::vector<BadInput> output_rows();
 std::vector<BadInput> device_rows();

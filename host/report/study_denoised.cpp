@@ -1,0 +1,60 @@
+// The denoised picture as a method of a study: what its bias buys.
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+
+#include "render/denoise_picture.hpp"
+#include "render/path_tracer.hpp"
+#include "report/study_methods.hpp"
+#include "scene/names.hpp"
+
+namespace nook {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double rays_of(const RenderCounters& counters) {
+  return double(counters.camera_rays + counters.occlusion_rays);
+}
+
+}  // namespace
+
+// The time counted is that of the samples, of the surface under the pixels and of the filter.
+StudyMethod StudyScene::denoised(std::uint32_t max_spp) const {
+  const Sampling sampling =
+      plan_.effects.front().effect.kind == EffectKind::ro ? Sampling::lobe : Sampling::cosine;
+  StudyMethod method;
+  method.sampling = name_of(sampling);
+  method.sampler = name_of(Sampler::sobol);
+  method.name = "denoised " + method.sampling + " " + method.sampler;
+  // Of fewer samples the variance that steers the filter is not known.
+  for (std::uint32_t spp = 4; spp <= std::min(max_spp, 256u); spp *= 4) method.levels.push_back(spp);
+  struct Program {
+    Plan plan;
+    std::unique_ptr<PathTracer> tracer;
+  };
+  const auto program = std::make_shared<Program>(Program{plan_with(sampling, Sampler::sobol, 1), nullptr});
+  program->plan.effects.resize(1);
+  method.render = [this, program](double level, std::uint32_t seed) {
+    Plan& plan = program->plan;
+    if (!program->tracer) program->tracer = std::make_unique<PathTracer>(device_, plan, mesh_, bvh_);
+    PathTracer& tracer = *program->tracer;
+    const auto spp = std::uint32_t(level);
+    const RenderCounters before = tracer.counters();
+    std::vector<std::uint32_t> rows(std::size_t(plan.width) * std::size_t(plan.height));
+    std::iota(rows.begin(), rows.end(), 0u);
+    const Clock::time_point start = Clock::now();
+    std::vector<Film> films = tracer.make_films();
+    tracer.set_samples(spp, seed);
+    tracer.accumulate(pixels_in_order(plan.window, plan.width), {0, spp}, films);
+    StudyPicture picture;
+    picture.image = denoised_values(films.front(), tracer.surface_points(rows));
+    picture.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    picture.device_seconds = tracer.counters().device_seconds - before.device_seconds;
+    picture.rays = rays_of(tracer.counters()) - rays_of(before);
+    return picture;
+  };
+  return method;
+}
+
+}  // namespace nook

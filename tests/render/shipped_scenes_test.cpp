@@ -1,0 +1,54 @@
+// nook plan explains every scene that is shipped.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "nook_program.hpp"
+
+namespace nook::test {
+namespace {
+
+std::vector<std::filesystem::path> shipped_scenes() {
+  std::vector<std::filesystem::path> scenes;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(NOOK_SOURCE_DIR "/scenes"))
+    if (entry.path().extension() == ".toml") scenes.push_back(entry.path());
+  std::sort(scenes.begin(), scenes.end());
+  return scenes;
+}
+
+class ShippedScene : public ::testing::TestWithParam<std::filesystem::path> {};
+
+TEST_P(ShippedScene, IsExplained) {
+  const TemporaryFolder folder;
+  const ProgramResult run = run_nook(folder, "plan --json '" + GetParam().string() + "'");
+  if (run.exit_code == 3 && run.err.find("generated/") != std::string::npos &&
+      run.err.find("no such file") != std::string::npos)
+    GTEST_SKIP() << "its mesh has not been generated";
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto plan = nlohmann::json::parse(run.out);
+  EXPECT_FALSE(plan["layers"].empty());
+  EXPECT_FALSE(plan["libraries"].empty());
+  EXPECT_FALSE(plan["left_out"].empty());
+  bool ssao = false, traced = false;
+  for (const auto& pass : plan["passes"]) {
+    ssao = ssao || pass["name"] == "ssao";
+    traced = traced || pass["name"] == "occlusion";
+  }
+  EXPECT_TRUE(ssao || traced);
+  EXPECT_EQ(plan["kernels"].empty(), !traced);
+  EXPECT_EQ(plan["buffers"].empty(), !traced);
+  const auto left_out = plan["left_out"].dump();
+  EXPECT_EQ(left_out.find("no OpenGL") == std::string::npos, ssao) << left_out;
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, ShippedScene, ::testing::ValuesIn(shipped_scenes()), [](const auto& scene) {
+  std::string name = scene.param.parent_path().filename().string() + "_" + scene.param.stem().string();
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
+  return name;
+});
+
+}  // namespace
+}  // namespace nook::test
