@@ -2,6 +2,7 @@
 #ifndef NOOK_STREAM_TESTS_CL
 #define NOOK_STREAM_TESTS_CL
 
+#include "leaf_holes.cl"
 #include "stream_rays.cl"
 
 // enter_box() for all children of a node: entry distances, and lanes of -1 where ray k meets the child within [0, limit].
@@ -67,7 +68,8 @@ INLINE leaf_int leaf_occludes(__global const TriangleLeaf* leaf, const StreamRay
 
 // triangle_nearer() for all triangles of a leaf: the nearest hit of ray k, if it is nearer than *t.
 // Of equally near triangles the lowest index, as closest_ray(); none at the limit itself.
-INLINE void leaf_nearer(__global const TriangleLeaf* leaf, const StreamRays* r, uint k, float* t, uint* triangle, float* u, float* v) {
+INLINE void leaf_nearer(WITH_CUT_PARAMS __global const TriangleLeaf* leaf, const StreamRays* r, uint k, float* t, uint* triangle,
+                        float* u, float* v) {
   ShearedLeaf f;
   shear_leaf(&f, leaf, r, k);
   const leaf_float distance = f.height * r->inverse_z[k] / f.det;
@@ -83,7 +85,7 @@ INLINE void leaf_nearer(__global const TriangleLeaf* leaf, const StreamRays* r, 
     const uint lane = LOWEST_BIT(lanes);
     const uint id = leaf->triangle[lane];
     const bool nearer = lane_distance[lane] < *t || (lane_distance[lane] == *t && *triangle != NO_TRIANGLE && id < *triangle);
-    if (!nearer) continue;
+    if (!nearer || IN_HOLE(id, lane_wb[lane] / lane_det[lane], lane_wc[lane] / lane_det[lane])) continue;
     *t = lane_distance[lane];
     *triangle = id;
     *u = lane_wb[lane] / lane_det[lane];

@@ -177,10 +177,10 @@ void packet_closest(BVH_PARAMS, const StreamRays* r, const Packet* p, uint activ
     const uint rays = stack_rays[size];
     if (item & BVH_LEAF) {
       __global const TriangleLeaf* leaf = &leaves[item & ~BVH_LEAF];
-      if (popcount(rays) <= FEW_RAYS) {
+      if (CUT_OUTS || popcount(rays) <= FEW_RAYS) {
         for (uint rest = rays; rest; rest &= rest - 1) {
           const uint k = LOWEST_BIT(rest);
-          leaf_nearer(leaf, r, k, &t[k], &triangle[k], &u[k], &v[k]);
+          leaf_nearer(WITH_CUT_ARGS leaf, r, k, &t[k], &triangle[k], &u[k], &v[k]);
         }
         limit = farthest(t, active);
         continue;

@@ -98,7 +98,7 @@ void stream_closest(BVH_PARAMS, const RayDirections* origins, const RayDirection
       __global const TriangleLeaf* leaf = &leaves[item & ~BVH_LEAF];
       for (uint rest = stack_rays[size]; rest; rest &= rest - 1) {
         const uint k = LOWEST_BIT(rest);
-        if (least_entry <= t[k] * FAR_PLANE_GROWTH) leaf_nearer(leaf, &rays, k, &t[k], &triangle[k], &u[k], &v[k]);
+        if (least_entry <= t[k] * FAR_PLANE_GROWTH) leaf_nearer(WITH_CUT_ARGS leaf, &rays, k, &t[k], &triangle[k], &u[k], &v[k]);
       }
     } else {
       __global const BvhNode* node = &nodes[item];

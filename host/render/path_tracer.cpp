@@ -177,7 +177,8 @@ void PathTracer::launch_primary(const EstimatorParams& params, const ClBuffer& t
   const cl_kernel kernel = primary_.get();
   cl_uint arg = 0;
   set_tree(kernel, arg, trees_.front());
-  for (const ClBuffer* buffer : {&positions_, &triangles_, &normals_, &triangle_normals_, &triangle_materials_})
+  for (const ClBuffer* buffer :
+       {&positions_, &triangles_, &normals_, &triangle_normals_, &triangle_materials_})
     set_arg(kernel, arg, *buffer);
   set_arg(kernel, arg, plan_.camera);
   set_arg(kernel, arg, params);

@@ -40,10 +40,14 @@ typedef struct {
 // What a kernel passes through to the traversal: its buffers are Bvh::nodes and Bvh::leaves, in this order, and with CUT_OUTS
 // those of CutOuts. BVH_ARGS_AT: of several trees in one pair of buffers, the one that starts there.
 #if CUT_OUTS
+#define WITH_CUT_PARAMS CUT_PARAMS,
+#define WITH_CUT_ARGS CUT_ARGS,
 #define BVH_PARAMS __global const BvhNode *nodes, __global const TriangleLeaf *leaves, CUT_PARAMS
 #define BVH_ARGS_AT(node, leaf) nodes + (node), leaves + (leaf), CUT_ARGS
 #define BVH_ARGS nodes, leaves, CUT_ARGS
 #else
+#define WITH_CUT_PARAMS
+#define WITH_CUT_ARGS
 #define BVH_PARAMS __global const BvhNode *nodes, __global const TriangleLeaf *leaves
 #define BVH_ARGS_AT(node, leaf) nodes + (node), leaves + (leaf)
 #define BVH_ARGS nodes, leaves
