@@ -11,7 +11,9 @@
 #include <cstdint>
 #include <fstream>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "base/error.hpp"
 
@@ -44,6 +46,59 @@ bool read_name(std::istream& in, std::string& name) {
     name.push_back(c);
   }
   return false;
+}
+
+// The sizes of the types that have one. OpenEXR reads these, and lists, by what they should be, and goes on
+// behind that, whatever size the file states: it would then see another header than the one checked here, and
+// believe it how long a string is.
+constexpr std::pair<std::string_view, std::uint32_t> type_sizes[] = {{"box2f", 16},
+                                                                     {"box2i", 16},
+                                                                     {"chromaticities", 32},
+                                                                     {"compression", 1},
+                                                                     {"deepImageState", 1},
+                                                                     {"double", 8},
+                                                                     {"envmap", 1},
+                                                                     {"float", 4},
+                                                                     {"int", 4},
+                                                                     {"keycode", 28},
+                                                                     {"lineOrder", 1},
+                                                                     {"m33d", 72},
+                                                                     {"m33f", 36},
+                                                                     {"m44d", 128},
+                                                                     {"m44f", 64},
+                                                                     {"rational", 8},
+                                                                     {"tiledesc", 9},
+                                                                     {"timecode", 8},
+                                                                     {"v2d", 16},
+                                                                     {"v2f", 8},
+                                                                     {"v2i", 8},
+                                                                     {"v3d", 24},
+                                                                     {"v3f", 12},
+                                                                     {"v3i", 12}};
+
+/// Whether the value at `in` ends after `bytes` as OpenEXR reads it.
+bool value_fits(std::istream& in, const std::string& type, std::uint32_t bytes) {
+  for (const auto& [name, size] : type_sizes)
+    if (type == name) return bytes == size;
+  const std::streamoff end = in.tellg() + std::streamoff(bytes);
+  if (type == "chlist") {
+    for (std::string name; in.tellg() < end && read_name(in, name); in.seekg(16, std::ios::cur))
+      if (name.empty()) return in.tellg() == end;
+    return false;
+  }
+  if (type == "stringvector") {
+    while (in && in.tellg() < end) {
+      const std::uint32_t length = read_u32(in);
+      if (!in || length > end - in.tellg()) return false;
+      in.seekg(length, std::ios::cur);
+    }
+    return in && in.tellg() == end;
+  }
+  if (type == "preview") {
+    const std::uint64_t width = read_u32(in), height = read_u32(in);
+    return in && width < 65536 && height < 65536 && bytes == 8 + 4 * width * height;
+  }
+  return true;
 }
 
 /// Upper bound of what a byte of the file can expand to. Deflate's is 1032 (RFC 1951: 258 bytes from 2 bits);
@@ -87,8 +142,9 @@ int check_exr_layout(const std::filesystem::path& path) {
     if (!read_name(in, type)) break;
     const std::uint32_t bytes = read_u32(in);
     const auto position = static_cast<std::uint64_t>(std::max<std::streamoff>(in.tellg(), 0));
-    if (!in || position + bytes > size) break;
-    in.seekg(bytes, std::ios::cur);
+    if (!in || position + bytes > size || !value_fits(in, type, bytes)) break;
+    in.clear();
+    in.seekg(static_cast<std::streamoff>(position + bytes));
   }
   reject(path, "the header is truncated or damaged");
 }

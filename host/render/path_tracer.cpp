@@ -22,13 +22,15 @@ void set_arg(cl_kernel kernel, cl_uint& index, const ClBuffer& buffer) {
   set_arg(kernel, index, memory);
 }
 
-bool is_scalar(const Device& device, Traversal traversal) {
-  return traversal == Traversal::automatic ? !device.info().is_cpu() : traversal == Traversal::scalar;
+Traversal chosen(const Device& device, Traversal traversal) {
+  if (traversal != Traversal::automatic) return traversal;
+  return device.info().is_cpu() ? Traversal::stream : Traversal::scalar;
 }
 
-BuildOptions options_of(const KernelPlan& kernel, bool scalar_traversal) {
+BuildOptions options_of(const KernelPlan& kernel, Traversal traversal) {
   BuildOptions options = kernel.options;
-  if (scalar_traversal) options.define("TRAVERSAL_SCALAR", 1);
+  if (traversal == Traversal::scalar) options.define("TRAVERSAL_SCALAR", 1);
+  if (traversal == Traversal::portable) options.define("TRAVERSAL_PORTABLE", 1);
   return options;
 }
 
@@ -65,7 +67,7 @@ PathTracer::PathTracer(const Device& device, const Plan& plan, const TriangleMes
                        const KernelSource& source, Traversal traversal, Programs programs)
     : device_(device),
       plan_(plan),
-      scalar_traversal_(is_scalar(device, traversal)),
+      traversal_(chosen(device, traversal)),
       positions_(device.input(mesh.positions)),
       triangles_(device.input(mesh.triangles)),
       programs_(programs.empty() ? build_programs(device, plan, source, traversal) : std::move(programs)) {
@@ -94,7 +96,7 @@ PathTracer::Programs PathTracer::build_programs(const Device& device, const Plan
                                                 const KernelSource& source, Traversal traversal) {
   Programs programs;
   const auto add = [&](const KernelPlan& kernel) {
-    const BuildOptions options = options_of(kernel, is_scalar(device, traversal));
+    const BuildOptions options = options_of(kernel, chosen(device, traversal));
     const auto [place, fresh] = programs.try_emplace(kernel.file + options.text());
     if (fresh) place->second = build_program(device, source(kernel.file), options);
   };
@@ -130,8 +132,7 @@ void PathTracer::set_tree(cl_kernel kernel, cl_uint& arg, const Tree& tree) cons
 }
 
 ClKernel PathTracer::kernel(const KernelPlan& kernel) const {
-  return programs_.at(kernel.file + options_of(kernel, scalar_traversal_).text())
-      .kernel(kernel.entry.c_str());
+  return programs_.at(kernel.file + options_of(kernel, traversal_).text()).kernel(kernel.entry.c_str());
 }
 
 EstimatorParams PathTracer::params_for(const EffectPlan& effect, const Batch& batch) const {
@@ -168,7 +169,7 @@ void PathTracer::launch(cl_kernel kernel, std::size_t count, ClEvent* event) {
 
 // Where rays go through the tree in streams of 32, the rays of neighbouring pixels fill one together.
 cl_uint PathTracer::tasks_sharing_a_stream(std::uint64_t rays_of_task) const {
-  return scalar_traversal_ ? 1 : cl_uint(std::max<std::uint64_t>(1, 32 / rays_of_task));
+  return traversal_ == Traversal::scalar ? 1 : cl_uint(std::max<std::uint64_t>(1, 32 / rays_of_task));
 }
 
 void PathTracer::launch_primary(const EstimatorParams& params, const ClBuffer& tasks, cl_uint count,

@@ -45,9 +45,9 @@ struct Finished {
   SampleRange range;
 };
 
-/// How rays go through the tree (kernels/traverse.cl): automatic is stream on CPUs, scalar elsewhere. The
-/// same bits.
-enum class Traversal { automatic, stream, scalar };
+/// How rays go through the tree (kernels/traverse.cl): automatic is stream on CPUs, scalar elsewhere;
+/// portable is stream without a processor's own instructions. The same bits.
+enum class Traversal { automatic, stream, portable, scalar };
 
 /// One scene on one device: uploaded once, its kernels specialised to the plan.
 class PathTracer {
@@ -139,7 +139,7 @@ class PathTracer {
 
   const Device& device_;
   Plan plan_;
-  bool scalar_traversal_ = false;
+  Traversal traversal_;
   std::vector<Bvh> set_trees_;  // of Plan::occluder_sets
   GroupTrees group_trees_;
   CutOuts cut_outs_;

@@ -2,13 +2,12 @@
 // NOOK_LEAK_RAYS asks for more rays than the million that a test has time for.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <numbers>
 #include <random>
 
 #include "ray_probe.hpp"
+#include "support/meshes.hpp"
 
 namespace nook::testing {
 namespace {
@@ -17,24 +16,7 @@ namespace {
 // centre sees every facet.
 TriangleMesh star(unsigned n) {
   TriangleMesh mesh;
-  const auto add = [&](unsigned i, unsigned j) {
-    const double theta = std::numbers::pi * i / n, phi = std::numbers::pi * j / n;
-    const double radius = (i + j) % 2 ? 1.0 : 0.35;
-    mesh.positions.push_back(vec3(
-        dvec3(std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi)) * radius));
-  };
-  add(0, 0);
-  add(n, 0);
-  for (unsigned i = 1; i < n; ++i)
-    for (unsigned j = 0; j < 2 * n; ++j) add(i, j);
-  const auto index = [&](unsigned i, unsigned j) {
-    return i == 0 ? 0u : i == n ? 1u : 2 + (i - 1) * 2 * n + j % (2 * n);
-  };
-  for (unsigned i = 0; i < n; ++i)
-    for (unsigned j = 0; j < 2 * n; ++j) {
-      if (i > 0) mesh.triangles.push_back({index(i, j), index(i, j + 1), index(i + 1, j + 1)});
-      if (i + 1 < n) mesh.triangles.push_back({index(i, j), index(i + 1, j + 1), index(i + 1, j)});
-    }
+  test::add_sphere(mesh, dvec3(0), n, [](unsigned i, unsigned j) { return (i + j) % 2 ? 1.0 : 0.35; });
   return mesh;
 }
 

@@ -1,6 +1,7 @@
 #include "ray_probe.hpp"
 
 #include "device/kernel_source.hpp"
+#include "support/kernels.hpp"
 
 namespace nook::testing {
 namespace {
@@ -90,7 +91,7 @@ void run(const Device& device, const ClKernel& kernel, const Bvh& bvh, const std
 
 RayProbe::RayProbe(const TriangleMesh& mesh, const BuildOptions& variant)
     : bvh_(build_bvh(mesh)),
-      device_(select_device("")),
+      device_(test::device()),
       program_(build_program(device_, flatten_kernel("ray_probe", source), variant)) {}
 
 std::vector<std::uint32_t> RayProbe::bits(const char* kernel, const std::vector<RayStream>& streams,

@@ -47,7 +47,7 @@ class RayProbe {
                                   float max_distance);
 
   Bvh bvh_;
-  Device device_;
+  Device& device_;
   BuiltProgram program_;
 };
 

@@ -6,9 +6,14 @@
 #include <random>
 
 #include "ray_probe.hpp"
+#include "support/meshes.hpp"
 
 namespace nook::testing {
 namespace {
+
+using test::add_sphere;
+using test::add_triangle;
+using test::closed_box;
 
 const float infinity = std::numeric_limits<float>::infinity();
 
@@ -30,12 +35,6 @@ class Random {
   std::mt19937 engine_;
 };
 
-void add_triangle(TriangleMesh& mesh, const vec3& a, const vec3& b, const vec3& c) {
-  const auto n = std::uint32_t(mesh.positions.size());
-  mesh.positions.insert(mesh.positions.end(), {a, b, c});
-  mesh.triangles.push_back({n, n + 1, n + 2});
-}
-
 TriangleMesh triangle_soup(unsigned count, float size, unsigned seed) {
   Random random(seed);
   TriangleMesh mesh;
@@ -46,48 +45,9 @@ TriangleMesh triangle_soup(unsigned count, float size, unsigned seed) {
   return mesh;
 }
 
-/// A closed sphere of 2 * n * 2n triangles (two at each place but the poles) whose vertices are shared.
 TriangleMesh sphere(const vec3& center, float radius, unsigned n) {
   TriangleMesh mesh;
-  const auto point = [&](unsigned i, unsigned j) {
-    const double theta = M_PI * i / n, phi = M_PI * (j % (2 * n)) / n;
-    return center +
-           radius * vec3(std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi));
-  };
-  std::vector<std::uint32_t> ids((n + 1) * 2 * n);
-  for (unsigned i = 0; i <= n; ++i)
-    for (unsigned j = 0; j < 2 * n; ++j) {
-      const bool pole = i == 0 || i == n;
-      ids[i * 2 * n + j] = pole && j > 0 ? ids[i * 2 * n] : std::uint32_t(mesh.positions.size());
-      if (!pole || j == 0) mesh.positions.push_back(point(i, j));
-    }
-  for (unsigned i = 0; i < n; ++i)
-    for (unsigned j = 0; j < 2 * n; ++j) {
-      const std::uint32_t a = ids[i * 2 * n + j], b = ids[i * 2 * n + (j + 1) % (2 * n)];
-      const std::uint32_t c = ids[(i + 1) * 2 * n + j], d = ids[(i + 1) * 2 * n + (j + 1) % (2 * n)];
-      if (i > 0) mesh.triangles.push_back({a, b, d});
-      if (i + 1 < n) mesh.triangles.push_back({a, d, c});
-    }
-  return mesh;
-}
-
-/// The box [-1,1]^3 of integer planes, each face of n x n squares: its walls lie exactly in node planes.
-TriangleMesh box(unsigned n) {
-  TriangleMesh mesh;
-  for (int axis = 0; axis < 3; ++axis)
-    for (const float side : {-1.0f, 1.0f})
-      for (unsigned i = 0; i < n; ++i)
-        for (unsigned j = 0; j < n; ++j) {
-          const auto at = [&](unsigned s, unsigned t) {
-            vec3 p;
-            p[axis] = side;
-            p[(axis + 1) % 3] = -1 + 2 * float(s) / float(n);
-            p[(axis + 2) % 3] = -1 + 2 * float(t) / float(n);
-            return p;
-          };
-          add_triangle(mesh, at(i, j), at(i + 1, j), at(i + 1, j + 1));
-          add_triangle(mesh, at(i, j), at(i + 1, j + 1), at(i, j + 1));
-        }
+  add_sphere(mesh, center, n, [&](unsigned, unsigned) { return radius; });
   return mesh;
 }
 
@@ -180,7 +140,7 @@ std::vector<Case> cases() {
   result.push_back({"soup", triangle_soup(3000, 0.15f, 1)});
   result.push_back({"slivers", triangle_soup(300, 1.0f, 2)});
   result.push_back({"sphere", sphere({0, 0, 0}, 0.9f, 24)});
-  result.push_back({"box", box(6)});
+  result.push_back({"box", closed_box(6)});
   result.push_back({"one triangle", triangle_soup(1, 1.0f, 3)});
   return result;
 }
@@ -304,7 +264,7 @@ std::uint64_t leaks(RayProbe& probe, const TriangleMesh& mesh, bool vertices, un
 }
 
 TEST(Traverse, NoRayLeaksThroughEdgesOrVertices) {
-  for (const auto& [name, mesh] : {Case{"sphere", sphere({0, 0, 0}, 1, 40)}, Case{"box", box(10)}})
+  for (const auto& [name, mesh] : {Case{"sphere", sphere({0, 0, 0}, 1, 40)}, Case{"box", closed_box(10)}})
     for (const auto& [variant, options] : traversal_variants()) {
       RayProbe probe(mesh, options);
       EXPECT_EQ(leaks(probe, mesh, false, 41), 0u) << name << " edges, " << variant;

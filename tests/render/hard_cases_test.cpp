@@ -1,8 +1,11 @@
 // The hard cases of docs/hard-cases.md on the kernels that users run, with every traversal; each expected
 // value is derived where it stands.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <numbers>
 
@@ -12,6 +15,9 @@
 #include "render/path_tracer.hpp"
 #include "render/points.hpp"
 #include "support/kernels.hpp"
+#include "support/meshes.hpp"
+#include "support/mutants.hpp"
+#include "support/statistics.hpp"
 
 namespace nook::test {
 namespace {
@@ -33,12 +39,11 @@ class Case {
     scene.effects[0].sampling = Sampling::lobe;
     scene.effects[0].exponent = exponent;
   }
-  Film render(Traversal traversal, RenderCounters* counters = nullptr) const {
+  Film render(Traversal traversal, const PathTracer::KernelSource& source = kernel_source) const {
     const Plan plan = make_plan(scene, mesh_);
-    PathTracer tracer(device(), plan, mesh_, bvh_, kernel_source, traversal);
+    PathTracer tracer(device(), plan, mesh_, bvh_, source, traversal);
     std::vector<Film> films = tracer.make_films();
     tracer.accumulate(pixels_in_order(plan.window, plan.width), {0, plan.samples_per_pixel()}, films);
-    if (counters) *counters = tracer.counters();
     EXPECT_EQ(tracer.counters().rejected, 0u);
     return std::move(films[0]);
   }
@@ -71,7 +76,9 @@ class HardCases : public testing::TestWithParam<Traversal> {
     std::uint64_t hits = 0;
     for (std::size_t i = 0; i < film.pixels(); ++i) {
       hits += film.hits[i];
-      if (film.hits[i] == film.camera_samples[i]) EXPECT_EQ(film.value(i), value) << "pixel " << i;
+      if (film.hits[i] == film.camera_samples[i]) {
+        EXPECT_EQ(film.value(i), value) << "pixel " << i;
+      }
     }
     EXPECT_GT(hits, 0u);
   }
@@ -82,9 +89,12 @@ class HardCases : public testing::TestWithParam<Traversal> {
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(Traversals, HardCases, testing::Values(Traversal::stream, Traversal::scalar),
-                         [](const auto& info) {
-                           return info.param == Traversal::stream ? "stream" : "scalar";
+INSTANTIATE_TEST_SUITE_P(Traversals, HardCases,
+                         testing::Values(Traversal::stream, Traversal::portable, Traversal::scalar),
+                         [](const auto& traversal) {
+                           return traversal.param == Traversal::stream     ? "stream"
+                                  : traversal.param == Traversal::portable ? "portable"
+                                                                           : "scalar";
                          });
 
 // A unit sphere on a floor: from a floor point at distance D of its centre it covers the cosine-weighted
@@ -249,9 +259,10 @@ TEST_P(HardCases, PhongExponentsAtEveryViewAngle) {
       EXPECT_TRUE(film.value(i) >= 0 && film.value(i) <= 1.01)
           << film.value(i) << " at " << degrees[i] << ", " << exponent;
       // Standard deviation of a weight: below sin(theta)/sqrt(n) + 1/n.
-      if (exponent >= 1e5f && degrees[i] <= 80)
+      if (exponent >= 1e5f && degrees[i] <= 80) {
         EXPECT_NEAR(film.value(i), std::cos(degrees[i] * std::numbers::pi / 180),
                     5 / std::sqrt(exponent * double(1u << 14)) + 2e-5);
+      }
     }
   }
 }
@@ -267,6 +278,83 @@ TEST_P(HardCases, NonFinitePointsAreCountedAndKeptOut) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(film.sum[i], 0u);
 }
 
+// The least and the greatest numbers that a sampler can return, 0, 2^-24 and 1 - 2^-24, in all pairs, drawn
+// by the kernels in place of their random numbers: in a closed box no direction is open, above a floor no ray
+// of AO is blocked, and every weight is finite.
+TEST_P(HardCases, EndsOfTheSquare) {
+  const PathTracer::KernelSource ends = [](const std::string& file) {
+    return mutate(kernel_source(file),
+                  "    uint4 h = pcg4d(pixel, sample, direction, p->seed);\n"
+                  "    u.x = uint_to_unit_float(h.x);\n"
+                  "    u.y = uint_to_unit_float(h.y);\n",
+                  "    const float ends[3] = {0.0f, 0x1p-24f, 1.0f - 0x1p-24f};\n"
+                  "    u.x = ends[index % 3u];\n"
+                  "    u.y = ends[index / 3u % 3u];\n");
+  };
+  Case box(closed_box(2)), floor(square(100));
+  box.scene.camera = {{0, 0, 0.5f}, {0.2f, 0.1f, -1}, {0, 1, 0}, 60};
+  floor.scene.camera = {{0.1f, 2, 0.2f}, {0.1f, 0, 0.2f}, {0, 0, 1}, 60};
+  for (Case* each : {&box, &floor}) each->scene.spp = 9;
+  for (const Sampling sampling : {Sampling::cosine, Sampling::hemisphere, Sampling::sphere}) {
+    box.scene.effects[0].sampling = sampling;
+    expect_all(box.render(GetParam(), ends), 0);
+  }
+  expect_all(floor.render(GetParam(), ends), 1);
+  for (const float exponent : {0.0f, 30.0f, 1e7f})
+    for (const Sampling sampling :
+         {Sampling::lobe, Sampling::mixture, Sampling::cosine, Sampling::hemisphere, Sampling::sphere}) {
+      box.reflect(exponent);
+      floor.reflect(exponent);
+      box.scene.effects[0].sampling = floor.scene.effects[0].sampling = sampling;
+      expect_all(box.render(GetParam(), ends), 0);
+      const Film film = floor.render(GetParam(), ends);
+      for (std::size_t i = 0; i < film.pixels(); ++i)
+        EXPECT_TRUE(film.value(i) >= 0 && std::isfinite(film.value(i))) << film.value(i);
+    }
+}
+
+// A plane whose shading normal leans by t: of the cosine-weighted hemisphere about it, the share (1 + cos
+// t)/2 lies above the plane; the rest goes through the plane and is blocked. This is the terminator's whole
+// darkening, (1 - cos t)/2.
+TEST_P(HardCases, LeaningNormalsLoseWhatLiesBelowThePlane) {
+  for (const double degrees : {5.0, 30.0, 60.0, 85.0}) {
+    const double angle = degrees * std::numbers::pi / 180;
+    Case plane(leaning_square(1000, angle));
+    plane.scene.camera = {{0.1f, 2, 0.2f}, {0.1f, 0, 0.2f}, {0, 0, 1}, 20};
+    plane.scene.spp = 256;
+    const Film film = plane.render(GetParam());
+    double mean = 0;
+    for (std::size_t i = 0; i < film.pixels(); ++i) mean += film.value(i) / double(film.pixels());
+    expect_near(mean, (1 + std::cos(angle)) / 2, std::uint32_t(256 * film.pixels()), 1e-5);
+  }
+}
+
+// A convex body occludes nothing of itself, AO = 1; smooth normals on its facets lean by at most the angle t
+// between a facet's plane and the sphere at its corners, and no pixel loses more than (1 - cos t)/2 to the
+// terminator. Facets of n x 2n: t is at most pi/n in each direction, together sqrt(2)/2 pi/n.
+TEST_P(HardCases, TerminatorOfASmoothSphere) {
+  for (const unsigned n : {8u, 16u, 64u}) {
+    Case sphere(smooth_sphere(n));
+    sphere.scene.camera = {{0.3f, 0.4f, 4}, {0, 0, 0}, {0, 1, 0}, 20};
+    sphere.scene.spp = 1024;
+    const Film film = sphere.render(GetParam());
+    const double lean = std::numbers::pi / n * std::numbers::sqrt2 / 2, bound = (1 - std::cos(lean)) / 2;
+    double mean = 0, seen = 0, worst = 0;
+    for (std::size_t i = 0; i < film.pixels(); ++i) {
+      if (film.hits[i] != film.camera_samples[i]) continue;
+      mean += 1 - film.value(i);
+      worst = std::max(worst, 1 - film.value(i));
+      seen += 1;
+    }
+    mean /= seen;
+    EXPECT_GT(seen, 100);
+    EXPECT_LE(worst, bound + 5 * std::sqrt(bound / 1024)) << n;
+    EXPECT_GT(mean, bound / 20) << n;  // it is there: a smooth sphere of facets is darker than a sphere
+    EXPECT_LT(mean, bound / 2) << n;
+    RecordProperty("darkening_" + std::to_string(n), std::to_string(mean));
+  }
+}
+
 // 2^26 samples of one pixel: a float sum would stop at 2^24. The wedge of 60 degrees has AO (1 - 1/2)/2 =
 // 0.25.
 TEST(HardCasesOnce, ManySamplesOnOnePixelDoNotDrift) {
@@ -279,6 +367,36 @@ TEST(HardCasesOnce, ManySamplesOnOnePixelDoNotDrift) {
   EXPECT_NEAR(film.variance(0) * directions, 0.1875, 1e-3);
 }
 
+// Ten million triangles around the camera: exactly 0. Takes some GiB and most of a minute, hence the long
+// mode alone; says what it took.
+TEST(HardCasesOnce, TenMillionTriangles) {
+  if (!long_mode()) GTEST_SKIP() << "in the long mode alone";
+  const auto start = std::chrono::steady_clock::now();
+  const auto lap = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  TriangleMesh star = spiky_star(1582, 0.9f);
+  const std::size_t triangles = star.triangles.size();
+  ASSERT_GE(triangles, 10'000'000u);
+  const double made = lap();
+  Case inside(std::move(star));
+  const double built = lap();
+  inside.scene.camera = {{0.1f, 0.05f, 0.02f}, {1, 0.3f, 0.2f}, {0, 1, 0}, 60};
+  inside.scene.width = inside.scene.height = 64;
+  inside.scene.spp = 64;
+  const Film film = inside.render(Traversal::automatic);
+  const double rendered = lap();
+  for (std::size_t i = 0; i < film.pixels(); ++i) {
+    EXPECT_EQ(film.hits[i], 64u);
+    EXPECT_EQ(film.sum[i], 0u);
+  }
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  std::printf(
+      "%zu triangles: mesh %.1f s, tree %.1f s, upload, kernels and render %.1f s, at most %.2f GiB\n",
+      triangles, made, built - made, rendered - built, double(usage.ru_maxrss) / (1 << 20));
+}
+
 // Whatever share of a stream a pixel's camera rays fill, and whether they agree in their directions' signs
 // (packets) or straddle an axis: the camera looks along -y.
 TEST(HardCasesOnce, TraversalsGiveTheSameBits) {
@@ -289,10 +407,13 @@ TEST(HardCasesOnce, TraversalsGiveTheSameBits) {
       for (const std::uint32_t spp : {1u, 3u, 16u, 40u}) {
         both.scene.camera = camera;
         both.scene.spp = spp;
-        const Film stream = both.render(Traversal::stream), scalar = both.render(Traversal::scalar);
-        EXPECT_EQ(stream.sum, scalar.sum) << spp;
-        EXPECT_EQ(stream.sum_square, scalar.sum_square) << spp;
-        EXPECT_EQ(stream.hits, scalar.hits) << spp;
+        const Film stream = both.render(Traversal::stream);
+        for (const Traversal other : {Traversal::portable, Traversal::scalar}) {
+          const Film film = both.render(other);
+          EXPECT_EQ(stream.sum, film.sum) << spp;
+          EXPECT_EQ(stream.sum_square, film.sum_square) << spp;
+          EXPECT_EQ(stream.hits, film.hits) << spp;
+        }
       }
   }
 }

@@ -1,48 +1,10 @@
 #include "hard_meshes.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "support/meshes.hpp"
 
 namespace nook::test {
-namespace {
-
-void add_triangle(TriangleMesh& mesh, vec3 a, vec3 b, vec3 c) {
-  const auto first = std::uint32_t(mesh.positions.size());
-  mesh.positions.insert(mesh.positions.end(), {a, b, c});
-  mesh.triangles.push_back({first, first + 1, first + 2});
-}
-
-void add_square(TriangleMesh& mesh, vec3 a, vec3 b, vec3 c, vec3 d) {
-  add_triangle(mesh, a, b, c);
-  add_triangle(mesh, a, c, d);
-}
-
-// A sphere of n x 2n facets with shared vertices; radius(i, j) of each.
-template <class Radius>
-void add_sphere(TriangleMesh& mesh, dvec3 center, unsigned n, Radius radius) {
-  const auto first = std::uint32_t(mesh.positions.size());
-  const auto index = [&](unsigned i, unsigned j) {
-    if (i == 0) return first;
-    if (i == n) return first + 1;
-    return first + 2 + (i - 1) * 2 * n + j % (2 * n);
-  };
-  const auto place = [&](unsigned i, unsigned j) {
-    const double theta = std::numbers::pi * i / n, phi = std::numbers::pi * j / n;
-    const dvec3 direction(std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi));
-    return vec3(center + double(radius(i, j)) * direction);
-  };
-  mesh.positions.push_back(place(0, 0));
-  mesh.positions.push_back(place(n, 0));
-  for (unsigned i = 1; i < n; ++i)
-    for (unsigned j = 0; j < 2 * n; ++j) mesh.positions.push_back(place(i, j));
-  for (unsigned i = 0; i < n; ++i)
-    for (unsigned j = 0; j < 2 * n; ++j) {
-      if (i > 0) mesh.triangles.push_back({index(i, j), index(i, j + 1), index(i + 1, j + 1)});
-      if (i + 1 < n) mesh.triangles.push_back({index(i, j), index(i + 1, j + 1), index(i + 1, j)});
-    }
-}
-
-}  // namespace
 
 TriangleMesh with_bounds(TriangleMesh mesh) {
   for (const auto& triangle : mesh.triangles)
@@ -95,28 +57,6 @@ TriangleMesh spiky_star(unsigned n, float inner) {
   return mesh;
 }
 
-TriangleMesh closed_box(unsigned n) {
-  TriangleMesh mesh;
-  for (int axis = 0; axis < 3; ++axis)
-    for (const float side : {-1.0f, 1.0f})
-      for (unsigned i = 0; i < n; ++i)
-        for (unsigned j = 0; j < n; ++j) {
-          const auto at = [&](unsigned s, unsigned t) {
-            vec3 p;
-            p[axis] = side;
-            p[(axis + 1) % 3] = -1 + 2 * float(s) / float(n);
-            p[(axis + 2) % 3] = -1 + 2 * float(t) / float(n);
-            return p;
-          };
-          // Facing inwards: the shading normal is never turned towards the viewer.
-          if (side < 0)
-            add_square(mesh, at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
-          else
-            add_square(mesh, at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j));
-        }
-  return mesh;
-}
-
 TriangleMesh square(float half) {
   TriangleMesh mesh;
   add_square(mesh, {-half, 0, -half}, {-half, 0, half}, {half, 0, half}, {half, 0, -half});
@@ -126,6 +66,21 @@ TriangleMesh square(float half) {
 TriangleMesh single_triangle() {
   TriangleMesh mesh;
   add_triangle(mesh, {-1, -1, 0}, {1, -1, 0}, {0, 1, 0});
+  return mesh;
+}
+
+TriangleMesh leaning_square(float half, double angle) {
+  TriangleMesh mesh = square(half);
+  mesh.normals = {vec3(dvec3(std::sin(angle), std::cos(angle), 0))};
+  mesh.triangle_normals.assign(mesh.triangles.size(), {0, 0, 0});
+  return mesh;
+}
+
+TriangleMesh smooth_sphere(unsigned n) {
+  TriangleMesh mesh;
+  add_sphere(mesh, dvec3(0), n, [](unsigned, unsigned) { return 1.0; });
+  for (const vec3& p : mesh.positions) mesh.normals.push_back(glm::normalize(p));
+  mesh.triangle_normals = mesh.triangles;
   return mesh;
 }
 

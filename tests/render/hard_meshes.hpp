@@ -22,13 +22,16 @@ TriangleMesh bad_floor(float scale);
 /// turn.
 TriangleMesh spiky_star(unsigned n, float inner);
 
-/// [-1,1]^3, each face of n x n squares.
-TriangleMesh closed_box(unsigned n);
-
 /// y = 0, |x|, |z| <= half, facing up.
 TriangleMesh square(float half);
 
 TriangleMesh single_triangle();
+
+/// square(half) whose vertex normals lean by `angle` from the geometric normal.
+TriangleMesh leaning_square(float half, double angle);
+
+/// A unit sphere of n x 2n facets with the sphere's own normals at its vertices.
+TriangleMesh smooth_sphere(unsigned n);
 
 /// Triangle i has size 2^-i and lies at 2^-i (1,1,1).
 TriangleMesh shrinking_triangles(int count);

@@ -1,5 +1,8 @@
 #include "support/meshes.hpp"
 
+#include <cmath>
+#include <numbers>
+
 namespace nook::test {
 
 void add_quad(TriangleMesh& mesh, const vec3& a, const vec3& b, const vec3& c, const vec3& d) {
@@ -35,6 +38,63 @@ TriangleMesh courtyard() {
   add_quad(mesh, {-2, 2, 0}, {2, 2, 0}, {2, 2, 1.5f}, {-2, 2, 1.5f});
   add_box(mesh, {-0.9f, 0.1f, 0}, {-0.1f, 0.9f, 1.2f});
   add_box(mesh, {0.05f, 0.2f, 0}, {1.1f, 1.0f, 0.4f});
+  return mesh;
+}
+
+void add_triangle(TriangleMesh& mesh, const vec3& a, const vec3& b, const vec3& c) {
+  const auto first = std::uint32_t(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(), {a, b, c});
+  mesh.triangles.push_back({first, first + 1, first + 2});
+}
+
+void add_square(TriangleMesh& mesh, const vec3& a, const vec3& b, const vec3& c, const vec3& d) {
+  add_triangle(mesh, a, b, c);
+  add_triangle(mesh, a, c, d);
+}
+
+void add_sphere(TriangleMesh& mesh, const dvec3& center, unsigned n,
+                const std::function<double(unsigned, unsigned)>& radius) {
+  const auto first = std::uint32_t(mesh.positions.size());
+  const auto index = [&](unsigned i, unsigned j) {
+    if (i == 0) return first;
+    if (i == n) return first + 1;
+    return first + 2 + (i - 1) * 2 * n + j % (2 * n);
+  };
+  const auto place = [&](unsigned i, unsigned j) {
+    const double theta = std::numbers::pi * i / n, phi = std::numbers::pi * j / n;
+    const dvec3 direction(std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi));
+    return vec3(center + radius(i, j) * direction);
+  };
+  mesh.positions.push_back(place(0, 0));
+  mesh.positions.push_back(place(n, 0));
+  for (unsigned i = 1; i < n; ++i)
+    for (unsigned j = 0; j < 2 * n; ++j) mesh.positions.push_back(place(i, j));
+  for (unsigned i = 0; i < n; ++i)
+    for (unsigned j = 0; j < 2 * n; ++j) {
+      if (i > 0) mesh.triangles.push_back({index(i, j), index(i, j + 1), index(i + 1, j + 1)});
+      if (i + 1 < n) mesh.triangles.push_back({index(i, j), index(i + 1, j + 1), index(i + 1, j)});
+    }
+}
+
+TriangleMesh closed_box(unsigned n) {
+  TriangleMesh mesh;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const float side : {-1.0f, 1.0f})
+      for (unsigned i = 0; i < n; ++i)
+        for (unsigned j = 0; j < n; ++j) {
+          const auto at = [&](unsigned s, unsigned t) {
+            vec3 p;
+            p[axis] = side;
+            p[(axis + 1) % 3] = -1 + 2 * float(s) / float(n);
+            p[(axis + 2) % 3] = -1 + 2 * float(t) / float(n);
+            return p;
+          };
+          // Facing inwards: the shading normal is never turned towards the viewer.
+          if (side < 0)
+            add_square(mesh, at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+          else
+            add_square(mesh, at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j));
+        }
   return mesh;
 }
 
