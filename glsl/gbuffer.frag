@@ -1,17 +1,20 @@
-// Writes one depth layer: a front layer with its NORMAL, or the back layer behind it without. Inverse depth is affine
-// over the screen for a plane, so (w, dw/dx, dw/dy) is the tangent plane of the surface in the pixel: at an offset of d
-// pixels its inverse depth is w + dot(d, gradient).
+// Writes one depth layer: a FRONT layer, or the back layer behind it. Inverse depth is affine over the screen for a plane,
+// so (w, dw/dx, dw/dy) is the tangent plane of the surface in the pixel: at an offset of d pixels its inverse depth is
+// w + dot(d, gradient).
 #if NORMAL
 NORMAL_KIND in vec3 view_normal;
 #endif
-#if WRITE_POSITION
+#if EXACT
 in vec3 view_position;
 #endif
 
 layout(location = 0) out vec4 surface;  // rgb: inverse depth of the front layer and its gradient; a: of the back layer
-layout(location = 1) out vec4 normal;  // view space, unit, as the path tracer's shading normal: never flipped
-#if WRITE_POSITION
-layout(location = 2) out vec4 position;  // view space; w = 1 marks coverage
+#if NORMAL
+layout(location = 1) out vec2 normal;  // view space, octahedral; as the path tracer's shading normal: never flipped
+#endif
+#if EXACT
+layout(location = 2) out vec4 position;      // view space; w = 1 marks coverage
+layout(location = 3) out vec4 exact_normal;  // view space, unit; w = 1 marks coverage
 #endif
 
 #if PEEL
@@ -28,6 +31,14 @@ vec3 geometric_normal(float w, vec2 gradient) {
   vec3 away = vec3(n, dot(n, gl_FragCoord.xy * ray_scale + ray_offset) - w);
   return normalize(gl_FrontFacing ? -away : away);
 }
+
+// The octahedral map (Cigolle et al. 2014, "A survey of efficient representations for independent unit vectors"), in
+// [0,1]² such that 0 is a multiple of 1/65535 and so exact; normal_at() in view.glsl is its inverse.
+vec2 octahedral(vec3 n) {
+  n /= abs(n.x) + abs(n.y) + abs(n.z);
+  vec2 folded = (1.0 - abs(n.yx)) * vec2(n.x < 0.0 ? -1.0 : 1.0, n.y < 0.0 ? -1.0 : 1.0);
+  return ((n.z < 0.0 ? folded : n.xy) + 1.0) * (32767.0 / 65535.0);
+}
 #endif
 
 void main() {
@@ -38,17 +49,20 @@ void main() {
   float last = before.a > 0.0 ? before.a : before.r;
   if (!(w < last * (1.0 - 1e-5))) discard;
 #endif
-#if !NORMAL
-  surface = vec4(0.0, 0.0, 0.0, w);
-  normal = vec4(0.0);
-#else
+#if FRONT
   vec2 gradient = vec2(dFdx(w), dFdy(w));
   surface = vec4(w, gradient, 0.0);
+#else
+  surface = vec4(0.0, 0.0, 0.0, w);
+#endif
+#if NORMAL
   // Vertex normals that cancel leave none.
   bool usable = dot(view_normal, view_normal) > 1e-12;
-  normal = vec4(usable ? normalize(view_normal) : geometric_normal(w, gradient), 1.0);
-#if WRITE_POSITION
+  vec3 n = usable ? normalize(view_normal) : geometric_normal(w, gradient);
+  normal = octahedral(n);
+#if EXACT
   position = vec4(view_position, 1.0);
+  exact_normal = vec4(n, 1.0);
 #endif
 #endif
 }

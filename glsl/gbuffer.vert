@@ -11,7 +11,7 @@ uniform float near;                     // world units
 #if NORMAL
 NORMAL_KIND out vec3 view_normal;  // smooth: not normalised
 #endif
-#if WRITE_POSITION
+#if EXACT
 out vec3 view_position;
 #endif
 
@@ -26,7 +26,7 @@ void main() {
 #if NORMAL
   view_normal = vec3(dot(right, world_normal), dot(up, world_normal), dot(backward, world_normal));
 #endif
-#if WRITE_POSITION
+#if EXACT
   view_position = view;
 #endif
 }

@@ -66,7 +66,7 @@ void main() {
     return;
   }
   vec3 x = reconstruct(vec2(texel) + 0.5, own.x);
-  vec3 normal = texelFetch(normals, texel, 0).xyz;
+  vec3 normal = normal_at(texel);
   vec3 v = -normalize(x);
   mat3 across = frame(v);
   vec2 noise = block_noise(pixel);

@@ -9,7 +9,8 @@
 in vec2 uv;
 layout(location = 0) out vec4 result;
 
-uniform sampler2D positions;  // view space, w = coverage
+uniform sampler2D positions;      // view space, w = coverage
+uniform sampler2D exact_normals;  // view space, unit
 uniform ivec2 shaded_size;    // pixels of the image that is shaded
 uniform float radius;         // world units
 uniform float bias;           // world units
@@ -34,8 +35,7 @@ void main() {
     result = vec4(0.0);
     return;
   }
-  vec3 normal = texelFetch(normals, texel, 0).xyz;
-  mat3 to_view = frame(normal);
+  mat3 to_view = frame(texelFetch(exact_normals, texel, 0).xyz);
   uint seed = pcg(uint(pixel.y * (buffer_size.x - 2 * guard) + pixel.x));
   float turn = DENOISED != 0 ? block_noise(pixel).x : unit_float(seed);
   float sum = 0.0;

@@ -4,7 +4,7 @@ uniform ivec2 buffer_size;  // pixels, with the guard band
 uniform int guard;          // pixels
 
 uniform sampler2D surface;  // inverse depth, its gradient per pixel, inverse depth of the back layer; 0: nothing there
-uniform sampler2D normals;  // view space, unit
+uniform sampler2D normals;  // view space, octahedral (glsl/gbuffer.frag)
 
 const float PI = 3.14159265358979;
 
@@ -21,6 +21,14 @@ mat3 frame(vec3 n) {
   float s = n.z < 0.0 ? -1.0 : 1.0;
   float a = -1.0 / (s + n.z), b = n.x * n.y * a;
   return mat3(vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x), vec3(b, s + n.y * n.y * a, -n.y), n);
+}
+
+vec3 normal_at(ivec2 texel) {
+  vec2 p = texelFetch(normals, texel, 0).xy * (65535.0 / 32767.0) - 1.0;
+  vec3 n = vec3(p, 1.0 - abs(p.x) - abs(p.y));
+  float fold = max(-n.z, 0.0);
+  n.xy -= vec2(n.x < 0.0 ? -fold : fold, n.y < 0.0 ? -fold : fold);
+  return normalize(n);
 }
 
 // PCG hash (Jarzynski and Olano 2020, "Hash functions for GPU rendering").

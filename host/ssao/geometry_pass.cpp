@@ -116,20 +116,20 @@ void GlMesh::draw() const {
   gl.glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
 }
 
-GBuffer::GBuffer(const GlContext& context, int width, int height, bool with_position, int layers)
+GBuffer::GBuffer(const GlContext& context, int width, int height, bool exact, int layers)
     : surface(context, GL_RGBA32F, width, height),
-      normals(context, GL_RGBA32F, width, height),
+      normals(context, GL_RG16, width, height),
       depth(context, GL_DEPTH_COMPONENT32F, width, height) {
-  if (with_position) {
+  if (exact) {
     position.emplace(context, GL_RGBA32F, width, height);
-    front.reset(new GlFramebuffer(context, {&surface, &normals, &*position}, &depth));
+    exact_normals.emplace(context, GL_RGBA32F, width, height);
+    front.reset(new GlFramebuffer(context, {&surface, &normals, &*position, &*exact_normals}, &depth));
   } else {
     front.reset(new GlFramebuffer(context, {&surface, &normals}, &depth));
   }
   if (layers > 2) {
     surface2.emplace(context, GL_RGBA32F, width, height);
-    normals2.emplace(context, GL_RGBA32F, width, height);
-    second.reset(new GlFramebuffer(context, {&*surface2, &*normals2}, &depth));
+    second.reset(new GlFramebuffer(context, {&*surface2}, &depth));
   }
 }
 
@@ -138,16 +138,17 @@ GeometryPass::GeometryPass(const GlContext& context, const TriangleMesh& mesh)
   if (!mesh.bounds.empty()) center_ = mesh.bounds.center();
 }
 
-const GlProgram& GeometryPass::program(Pass pass, bool with_position) {
-  std::unique_ptr<GlProgram>& program = programs_[pass == Pass::front && with_position ? 4 : int(pass)];
+const GlProgram& GeometryPass::program(Pass pass, bool exact) {
+  const bool front = pass == Pass::front;
+  std::unique_ptr<GlProgram>& program = programs_[front && exact ? 4 : int(pass)];
   if (!program) {
-    const bool back = pass == Pass::back || pass == Pass::second_back;
     const bool peel = pass == Pass::second_front || pass == Pass::second_back;
     program = std::make_unique<GlProgram>(
         context_, "glsl/gbuffer.vert", "glsl/gbuffer.frag", "",
         GlProgram::Defines{{"PEEL", peel ? "1" : "0"},
-                           {"WRITE_POSITION", pass == Pass::front && with_position ? "1" : "0"},
-                           {"NORMAL", back ? "0" : "1"},
+                           {"FRONT", front || pass == Pass::second_front ? "1" : "0"},
+                           {"NORMAL", front ? "1" : "0"},
+                           {"EXACT", front && exact ? "1" : "0"},
                            {"NORMAL_KIND", mesh_.smooth() ? "smooth" : "flat"}});
   }
   return *program;
@@ -180,10 +181,11 @@ void GeometryPass::draw(Pass pass, const SsaoView& view, const GBuffer& buffer) 
   // Positions are cleared to a far depth, so that the background is behind everything.
   const float far_position[4] = {0, 0, -1e9f, 0};
   gl.glClearBufferfv(GL_DEPTH, 0, zero);
-  if (!back) {
-    gl.glClearBufferfv(GL_COLOR, 0, zero);
-    gl.glClearBufferfv(GL_COLOR, 1, zero);
-    if (buffer.position && !second) gl.glClearBufferfv(GL_COLOR, 2, far_position);
+  // Packed normals are not cleared: nobody reads them in the background.
+  if (!back) gl.glClearBufferfv(GL_COLOR, 0, zero);
+  if (pass == Pass::front && buffer.position) {
+    gl.glClearBufferfv(GL_COLOR, 2, far_position);
+    gl.glClearBufferfv(GL_COLOR, 3, zero);
   }
   const GlProgram& program = this->program(pass, bool(buffer.position));
   program.use();

@@ -35,13 +35,16 @@ class GlMesh {
 /// surface: inverse depth of the nearest surface, its change per pixel to the right and downwards, and the
 /// inverse depth of the nearest back face; surface2: the same of what lies behind that. 0 where there is
 /// nothing.
+///
+/// normals: two 16-bit numbers (glsl/gbuffer.frag), within 4e-5 of the unit vector: a quarter of the memory
+/// traffic. Positions and normals in full precision are there for the point method and for those who ask.
 struct GBuffer {
-  GBuffer(const GlContext& context, int width, int height, bool with_position, int layers);
+  GBuffer(const GlContext& context, int width, int height, bool exact, int layers);
 
   GlTexture surface, normals, depth;
-  std::optional<GlTexture> position, surface2, normals2;
-  std::unique_ptr<GlFramebuffer> front;   ///< surface, normals, [position]
-  std::unique_ptr<GlFramebuffer> second;  ///< surface2, normals2 (not read)
+  std::optional<GlTexture> position, exact_normals, surface2;
+  std::unique_ptr<GlFramebuffer> front;   ///< surface, normals, [position, exact normals]
+  std::unique_ptr<GlFramebuffer> second;  ///< surface2
 };
 
 /// Draws the mesh into a G-buffer.
@@ -55,7 +58,7 @@ class GeometryPass {
  private:
   enum class Pass { front, back, second_front, second_back };
   void draw(Pass pass, const SsaoView& view, const GBuffer& buffer);
-  const GlProgram& program(Pass pass, bool with_position);
+  const GlProgram& program(Pass pass, bool exact);
 
   const GlContext& context_;
   GlMesh mesh_;

@@ -33,7 +33,7 @@ void spend(SsaoPlan& plan, Quality quality) {
       break;
     case Method::march:
       plan.directions = accurate ? 32 : draft ? 4 : 8;
-      plan.steps = accurate ? 16 : draft ? 4 : 6;
+      plan.steps = accurate ? 16 : draft ? 4 : 8;
       break;
   }
 }

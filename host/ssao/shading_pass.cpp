@@ -112,7 +112,10 @@ const GlFramebuffer& ShadingPass::draw(const SsaoPlan& plan, const SsaoView& vie
   {
     const GlProgram& program = use(estimator_file(plan.method), estimator_defines(plan), view, buffer);
     program.bind("normals", 1, buffer.normals);
-    if (plan.method == Method::point) program.bind("positions", 2, *buffer.position);
+    if (plan.method == Method::point) {
+      program.bind("positions", 2, *buffer.position);
+      program.bind("exact_normals", 4, *buffer.exact_normals);
+    }
     if (plan.layers > 2) program.bind("surface2", 3, *buffer.surface2);
     program.set("shaded_size", targets.shaded.width(), targets.shaded.height());
     program.set("radius", plan.radius);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 
 #include "base/error.hpp"
 #include "ssao/geometry_pass.hpp"
@@ -18,19 +19,28 @@ class Stopwatch {
       : context_(context), timings_(timings) {
     context.functions().glFinish();
     last_ = Clock::now();
+    last_cpu_ = cpu_seconds();
   }
   void lap(const char* pass) {
     context_.functions().glFinish();
     const Clock::time_point now = Clock::now();
-    timings_.push_back({pass, std::chrono::duration<double>(now - last_).count()});
+    const double cpu = cpu_seconds();
+    timings_.push_back({pass, std::chrono::duration<double>(now - last_).count(), cpu - last_cpu_});
     last_ = now;
+    last_cpu_ = cpu;
   }
 
  private:
   using Clock = std::chrono::steady_clock;
+  static double cpu_seconds() {
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+  }
   const GlContext& context_;
   std::vector<SsaoTiming>& timings_;
   Clock::time_point last_;
+  double last_cpu_ = 0;
 };
 
 // Pixels of guard band: as far as the radius reaches at the depth nearest to the camera, at most the plan's
@@ -72,7 +82,7 @@ struct SsaoRenderer::State {
   // Buffers of the last frame, kept for the next of the same shape.
   struct Shape {
     int width, height, guard, layers;
-    bool positions, half_resolution;
+    bool exact, half_resolution;
     bool operator==(const Shape&) const = default;
   };
   Shape shape{};
@@ -111,13 +121,13 @@ SsaoFrame SsaoRenderer::render(const Camera& camera, const SsaoPlan& plan, int w
     throw Error(ExitCode::device, "SSAO of " + std::to_string(width) + "x" + std::to_string(height) +
                                       " pixels does not fit: OpenGL takes at most " +
                                       std::to_string(largest) + " pixels on a side, guard band included");
-  const bool positions = plan.method == SsaoSettings::Method::point || outputs.positions;
-  const State::Shape shape{width, height, view.guard, plan.layers, positions, plan.half_resolution};
+  const bool exact = plan.method == SsaoSettings::Method::point || outputs.positions || outputs.normals;
+  const State::Shape shape{width, height, view.guard, plan.layers, exact, plan.half_resolution};
   if (!s.buffer || shape != s.shape) {
     s.buffer = nullptr;
     s.targets = nullptr;
-    s.buffer = std::make_unique<GBuffer>(*s.context, view.buffer_width(), view.buffer_height(), positions,
-                                         plan.layers);
+    s.buffer =
+        std::make_unique<GBuffer>(*s.context, view.buffer_width(), view.buffer_height(), exact, plan.layers);
     s.targets = std::make_unique<ShadingTargets>(*s.context, width, height, plan.half_resolution);
     s.shape = shape;
   }
@@ -143,7 +153,7 @@ SsaoFrame SsaoRenderer::render(const Camera& camera, const SsaoPlan& plan, int w
     frame.positions =
         to_world(view, s.buffer->front->read(2, 4, view.guard, view.guard, width, height), false);
   if (outputs.normals)
-    frame.normals = to_world(view, s.buffer->front->read(1, 4, view.guard, view.guard, width, height), true);
+    frame.normals = to_world(view, s.buffer->front->read(3, 4, view.guard, view.guard, width, height), true);
   return frame;
 }
 

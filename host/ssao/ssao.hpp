@@ -16,11 +16,11 @@ struct SsaoOutputs {
   bool normals = false;
 };
 
-/// A pass and the wall-clock seconds it took, each ended by glFinish (GL timer queries are wrong on software
-/// renderers).
+/// A pass and the time it took, ended by glFinish (GL timer queries are wrong on software renderers).
 struct SsaoTiming {
   std::string pass;
-  double seconds = 0;
+  double seconds = 0;      ///< wall clock
+  double cpu_seconds = 0;  ///< of all threads of the process: what a busy machine does not change much
 };
 
 /// A finished frame: planes of width * height values, row-major, row 0 at the top.

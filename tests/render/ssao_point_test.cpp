@@ -87,7 +87,7 @@ void shader_equals_host(const SsaoPlan& plan) {
     gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, view.width, view.height, GL_RGBA, GL_FLOAT, values.data());
   };
   upload(*buffer.position, synthetic.positions);
-  upload(buffer.normals, synthetic.normals);
+  upload(*buffer.exact_normals, synthetic.normals);
   ShadingTargets targets(*context, view.width, view.height, false);
   ShadingPass shading(*context);
   const std::vector<float> values =
