@@ -2,20 +2,21 @@
 // and what each method costs; and what the path tracer reaches in the same time.
 #include "ssao.hpp"
 
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
-#include <limits>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
 #include "film/png.hpp"
 #include "mesh/obj_loader.hpp"
 #include "record.hpp"
-#include "render/path_tracer.hpp"
+#include "render/plan.hpp"
 #include "scene/names.hpp"
 #include "scene/scene_toml.hpp"
 #include "ssao/ssao.hpp"
-#include "ssao_reference.hpp"
+#include "ssao_equal_time.hpp"
+#include "ssao_errors.hpp"
 
 namespace nook::bench {
 namespace {
@@ -26,8 +27,9 @@ using Quality = SsaoSettings::Quality;
 struct Settings {
   std::vector<std::string> scenes = {"bunny", "bunny-alone", "fence", "cornell", "spaceship", "room"};
   std::vector<std::string> radii = {"0.15", "half"};
+  std::vector<std::string> methods;  // labels of variants; empty: all
   int width = 1280, height = 720, frames = 3, grid = 23;
-  bool equal_time = true;
+  bool reference = true, equal_time = false;
   std::string output, pictures;
 };
 
@@ -45,102 +47,49 @@ Scene bench_scene(const std::string& name) {
   return load_scene(std::string(NOOK_SOURCE_DIR) + "/scenes/" + found->second + ".toml");
 }
 
-// One pixel in each 4x4 block, at a place that varies: as good as all pixels to 1 %, for a sixteenth of the
-// rays.
-std::vector<std::uint32_t> compared_pixels(int width, int height) {
-  std::vector<std::uint32_t> pixels;
-  std::uint32_t state = 12345;
-  for (int y = 0; y + 3 < height; y += 4)
-    for (int x = 0; x + 3 < width; x += 4) {
-      state = state * 1664525u + 1013904223u;
-      pixels.push_back(std::uint32_t(y + int(state >> 24 & 3)) * std::uint32_t(width) +
-                       std::uint32_t(x + int(state >> 28 & 3)));
-    }
-  return pixels;
-}
-
-struct Reference {
-  int width, height;
-  std::vector<std::uint32_t> pixels;
-  std::vector<PrimaryHit> hits;
-  std::vector<ReferenceTracer::Estimate> ambient;
-};
-
-// Sums of the differences a - b over some pixels, b the reference.
-struct Differences {
-  double n = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0, absolute = 0, variance = 0;
-  void add(double value, const ReferenceTracer::Estimate& reference) {
-    const double r = reference.value;
-    n += 1, a += value, b += r, aa += value * value, bb += r * r, ab += value * r;
-    absolute += std::abs(value - r);
-    variance += reference.variance;
-  }
-  double bias() const { return (a - b) / n; }
-  double mae() const { return absolute / n; }
-  double rmse() const { return std::sqrt(std::max(0.0, (aa - 2 * ab + bb - variance) / n)); }
-  double correlation() const { return (n * ab - a * b) / std::sqrt((n * aa - a * a) * (n * bb - b * b)); }
-};
-
-struct Errors {
-  Differences all, inner,
-      border;  // the border: within a sixteenth of the image's width or height of its edge
-};
-
-template <class Value>
-Errors errors_of(const Reference& reference, Value value) {
-  Errors errors;
-  for (std::size_t i = 0; i < reference.pixels.size(); ++i) {
-    if (!reference.hits[i].hit) continue;
-    const int x = int(reference.pixels[i]) % reference.width, y = int(reference.pixels[i]) / reference.width;
-    const bool border = std::min(x, reference.width - 1 - x) < reference.width / 16 ||
-                        std::min(y, reference.height - 1 - y) < reference.height / 16;
-    const double v = value(reference.pixels[i]);
-    errors.all.add(v, reference.ambient[i]);
-    (border ? errors.border : errors.inner).add(v, reference.ambient[i]);
-  }
-  return errors;
-}
-
-nlohmann::json json_of(const Errors& e) {
-  return {{"rmse", e.all.rmse()},         {"mae", e.all.mae()},
-          {"bias", e.all.bias()},         {"correlation", e.all.correlation()},
-          {"rmse_inner", e.inner.rmse()}, {"rmse_border", e.border.rmse()}};
-}
-
 struct Variant {
+  std::string label;
   Method method;
   std::optional<Quality> quality;  // unset: the assignment
 };
 
-std::vector<Variant> variants() {
-  std::vector<Variant> all = {{Method::point, std::nullopt}};
+std::vector<Variant> variants(const Settings& s) {
+  std::vector<Variant> all = {{"point/assigned", Method::point, std::nullopt}};
   for (const Method method : {Method::point, Method::gtao, Method::march})
     for (const Quality quality : {Quality::draft, Quality::real_time, Quality::accurate})
-      all.push_back({method, quality});
-  return all;
+      all.push_back({std::string(name_of(method)) + "/" + std::string(name_of(quality)), method, quality});
+  if (s.methods.empty()) return all;
+  std::vector<Variant> chosen;
+  for (const std::string& label : s.methods) {
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const Variant& v) { return v.label == label; });
+    if (found == all.end()) throw Error(ExitCode::usage, "--methods: unknown '" + label + "'");
+    chosen.push_back(*found);
+  }
+  return chosen;
 }
 
-// The path tracer with `directions` directions a pixel: seconds of the fastest of three runs, and its films.
-std::pair<double, Film> trace(const Device& device, const Scene& scene, const TriangleMesh& mesh,
-                              const Bvh& bvh, float radius, std::uint32_t directions) {
-  Scene traced = scene;
-  traced.effects = {Effect{}};
-  traced.effects[0].max_distance = {DistanceLimit::Kind::value, radius};
-  traced.spp = 1;
-  traced.directions = directions;
-  const Plan plan = make_plan(traced, mesh);
-  const std::vector<std::uint32_t> pixels = pixels_in_order(plan.window, plan.width);
-  PathTracer tracer(device, plan, mesh, bvh);
-  double best = std::numeric_limits<double>::infinity();
-  Film film;
-  for (int round = 0; round < 3; ++round) {
-    std::vector<Film> films = tracer.make_films();
-    const auto start = std::chrono::steady_clock::now();
-    tracer.accumulate(pixels, {0, directions}, films);
-    best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-    film = std::move(films.front());
+struct Timed {
+  SsaoFrame frame;  // the fastest
+  double median_seconds = 0;
+  double cpu_seconds = 0;  // least of all frames
+};
+
+// The first frame compiles and is not counted. Slow methods are drawn twice in all.
+Timed draw(SsaoRenderer& renderer, const Camera& camera, const SsaoPlan& plan, const Settings& s) {
+  renderer.render(camera, plan, s.width, s.height);
+  Timed timed;
+  std::vector<double> seconds;
+  for (int i = 0; i < s.frames && (i == 0 || seconds.front() < 2); ++i) {
+    SsaoFrame frame = renderer.render(camera, plan, s.width, s.height);
+    double cpu = 0;
+    for (const SsaoTiming& timing : frame.timings) cpu += timing.cpu_seconds;
+    timed.cpu_seconds = i == 0 ? cpu : std::min(timed.cpu_seconds, cpu);
+    seconds.push_back(frame.seconds);
+    if (i == 0 || frame.seconds < timed.frame.seconds) timed.frame = std::move(frame);
   }
-  return {best, std::move(film)};
+  timed.median_seconds = median(seconds);
+  return timed;
 }
 
 void save_picture(const std::string& path, int width, int height, const std::vector<float>& values) {
@@ -168,85 +117,125 @@ void save_comparison(const std::string& path, const ReferenceTracer& tracer, con
   save_picture(path, 3 * w, h, values);
 }
 
+double load_average() {
+  double load = 0;
+  return getloadavg(&load, 1) == 1 ? load : -1;
+}
+
+// What the path tracer reaches in the time of one method, first without the filter on either side, then with
+// the same filter on both; `filter_seconds` is what it costs on a full picture.
+nlohmann::json equal_time(const Settings& s, SsaoRenderer& renderer, const Camera& camera, SsaoPlan plan,
+                          const TracedAo& traced, const Reference& reference,
+                          const std::vector<PrimaryHit>& hits, double filter_seconds) {
+  nlohmann::json record;
+  const SsaoPlan filtered = plan;
+  plan.denoise_radius = 0;
+  for (const bool filter : {false, true}) {
+    const Timed ssao = draw(renderer, camera, filter ? filtered : plan, s);
+    TracedAo::Result rays = traced.in_time(ssao.frame.seconds - (filter ? filter_seconds : 0));
+    if (filter)
+      rays.values =
+          edge_aware_blur(camera, s.width, s.height, hits, std::move(rays.values), 2, plan.depth_tolerance);
+    const auto rmse = [&](const std::vector<float>& values) {
+      return errors_of(reference, [&](std::uint32_t pixel) { return values[pixel]; }).all.rmse();
+    };
+    const double seconds = rays.seconds + (filter ? filter_seconds : 0);
+    record[filter ? "filter" : "no_filter"] = {{"ssao_seconds", ssao.frame.seconds},
+                                               {"ssao_rmse", rmse(ssao.frame.occlusion)},
+                                               {"directions", rays.directions},
+                                               {"traced_seconds", seconds},
+                                               {"traced_rmse", rmse(rays.values)}};
+    std::printf("  equal time, %-10s SSAO %.4f in %.1f ms; traced %.4f with %u directions in %.1f ms\n",
+                filter ? "filtered:" : "raw:", rmse(ssao.frame.occlusion), 1e3 * ssao.frame.seconds,
+                rmse(rays.values), rays.directions, 1e3 * seconds);
+  }
+  return record;
+}
+
+void run_radius(const Settings& s, const std::string& name, const std::string& radius_text,
+                const Scene& scene, const TriangleMesh& mesh, const ReferenceTracer& tracer,
+                SsaoRenderer& renderer) {
+  const float radius = radius_text == "half" ? 0.5f * mesh.bounds.bounding_radius() : std::stof(radius_text);
+  const Camera camera = resolve_camera(scene, mesh.bounds);
+  std::printf("%s, radius %.4g (%s), %zu triangles, %dx%d\n", name.c_str(), double(radius),
+              radius_text.c_str(), mesh.triangles.size(), s.width, s.height);
+  Reference reference;
+  if (s.reference) reference = trace_reference(tracer, camera, s.width, s.height, radius, s.grid);
+  std::optional<TracedAo> traced;
+  std::vector<PrimaryHit> hits;
+  double filter_seconds = 0;
+  if (s.equal_time) {
+    traced.emplace(scene, mesh, radius);
+    std::vector<std::uint32_t> pixels(std::size_t(s.width) * std::size_t(s.height));
+    for (std::uint32_t i = 0; i < pixels.size(); ++i) pixels[i] = i;
+    hits = tracer.primary(camera, s.width, s.height, pixels);
+    SsaoSettings settings{.method = Method::march, .quality = Quality::draft};
+    settings.radius = radius;
+    SsaoPlan plan = plan_ssao(settings, mesh.bounds);
+    plan.half_resolution = false;
+    for (const SsaoTiming& timing : draw(renderer, camera, plan, s).frame.timings)
+      if (timing.pass == "denoise") filter_seconds = timing.seconds;
+  }
+  std::printf("%-16s %7s %7s %8s %6s %7s %7s %8s %8s %6s %8s\n", "method", "RMSE", "MAE", "bias", "corr",
+              "inner", "border", "ms", "median", "fps", "CPU ms");
+  for (const Variant& variant : variants(s)) {
+    SsaoSettings settings;
+    settings.method = variant.method;
+    settings.quality = variant.quality;
+    settings.radius = radius;
+    const SsaoPlan plan = plan_ssao(settings, mesh.bounds);
+    const Timed timed = draw(renderer, camera, plan, s);
+    const SsaoFrame& frame = timed.frame;
+    nlohmann::json passes;
+    for (const SsaoTiming& timing : frame.timings)
+      passes[timing.pass] = {{"seconds", timing.seconds}, {"cpu_seconds", timing.cpu_seconds}};
+    nlohmann::json record = {{"bench", "ssao"},
+                             {"scene", name},
+                             {"triangles", mesh.triangles.size()},
+                             {"radius", radius},
+                             {"radius_rule", radius_text},
+                             {"width", s.width},
+                             {"height", s.height},
+                             {"variant", variant.label},
+                             {"seconds", frame.seconds},
+                             {"median_seconds", timed.median_seconds},
+                             {"cpu_seconds", timed.cpu_seconds},
+                             {"passes", passes},
+                             {"load", load_average()},
+                             {"device", renderer.device()}};
+    std::printf("%-16s ", variant.label.c_str());
+    if (s.reference) {
+      const Errors errors = errors_of(reference, [&](std::uint32_t pixel) { return frame.occlusion[pixel]; });
+      record["errors"] = json_of(errors);
+      record["reference_directions"] = 2 * s.grid * s.grid;
+      std::printf("%7.4f %7.4f %+8.4f %6.3f %7.4f %7.4f ", errors.all.rmse(), errors.all.mae(),
+                  errors.all.bias(), errors.all.correlation(), errors.inner.rmse(), errors.border.rmse());
+    } else {
+      std::printf("%47s ", "");
+    }
+    std::printf("%8.1f %8.1f %6.1f %8.1f\n", 1e3 * frame.seconds, 1e3 * timed.median_seconds,
+                1 / timed.median_seconds, 1e3 * timed.cpu_seconds);
+    if (traced)
+      record["equal_time"] = equal_time(s, renderer, camera, plan, *traced, reference, hits, filter_seconds);
+    std::fflush(stdout);
+    append_record(s.output, record);
+    if (!s.pictures.empty()) {
+      std::string file = variant.label;
+      std::replace(file.begin(), file.end(), '/', '_');
+      save_comparison(s.pictures + "/" + name + "_" + radius_text + "_" + file + ".png", tracer, camera,
+                      frame, radius);
+    }
+  }
+}
+
 void run_scene(const Settings& s, const std::string& name) {
   Scene scene = bench_scene(name);
   scene.width = s.width;
   scene.height = s.height;
   const TriangleMesh mesh = load_obj(scene.mesh_file);
-  const Camera camera = resolve_camera(scene, mesh.bounds);
   const ReferenceTracer tracer(mesh);
   SsaoRenderer renderer(mesh);
-  std::optional<Device> device;
-  Bvh bvh;
-  if (s.equal_time) {
-    device.emplace(select_device(""));
-    bvh = build_bvh(mesh);
-  }
-  for (const std::string& radius_text : s.radii) {
-    const float radius =
-        radius_text == "half" ? 0.5f * mesh.bounds.bounding_radius() : std::stof(radius_text);
-    Reference reference{s.width, s.height, compared_pixels(s.width, s.height), {}, {}};
-    reference.hits = tracer.primary(camera, s.width, s.height, reference.pixels);
-    reference.ambient = tracer.ambient(reference.hits, radius, s.grid, 1);
-    double seconds_per_direction = 0;
-    if (device) seconds_per_direction = trace(*device, scene, mesh, bvh, radius, 16).first / 16;
-    std::printf("%s, radius %.4g (%s), %zu triangles, %dx%d\n", name.c_str(), double(radius),
-                radius_text.c_str(), mesh.triangles.size(), s.width, s.height);
-    std::printf("%-16s %7s %7s %8s %6s %7s %7s %8s %6s %14s\n", "method", "RMSE", "MAE", "bias", "corr",
-                "inner", "border", "ms", "fps", "traced, RMSE");
-    for (const Variant& variant : variants()) {
-      SsaoSettings settings;
-      settings.method = variant.method;
-      settings.quality = variant.quality;
-      settings.radius = radius;
-      const SsaoPlan plan = plan_ssao(settings, mesh.bounds);
-      SsaoFrame frame = renderer.render(camera, plan, s.width, s.height);
-      nlohmann::json passes;
-      double seconds = frame.seconds;
-      for (int i = 1; i < s.frames && frame.seconds < 5; ++i) {
-        SsaoFrame again = renderer.render(camera, plan, s.width, s.height);
-        if (again.seconds < seconds) frame = std::move(again);
-        seconds = std::min(seconds, frame.seconds);
-      }
-      for (const SsaoTiming& timing : frame.timings) passes[timing.pass] = timing.seconds;
-      const Errors errors = errors_of(reference, [&](std::uint32_t pixel) { return frame.occlusion[pixel]; });
-      const std::string label = std::string(name_of(variant.method)) + "/" +
-                                (variant.quality ? std::string(name_of(*variant.quality)) : "assigned");
-      nlohmann::json record = {{"bench", "ssao"},
-                               {"scene", name},
-                               {"triangles", mesh.triangles.size()},
-                               {"radius", radius},
-                               {"radius_rule", radius_text},
-                               {"width", s.width},
-                               {"height", s.height},
-                               {"variant", label},
-                               {"seconds", seconds},
-                               {"passes", passes},
-                               {"device", renderer.device()},
-                               {"errors", json_of(errors)}};
-      std::string traced = "";
-      if (device) {
-        const auto directions = std::uint32_t(std::clamp(seconds / seconds_per_direction, 1.0, 4096.0));
-        const Film film = trace(*device, scene, mesh, bvh, radius, directions).second;
-        const Errors of_film = errors_of(reference, [&](std::uint32_t pixel) { return film.value(pixel); });
-        record["equal_time"] = {{"directions", directions}, {"rmse", of_film.all.rmse()}};
-        char text[40];
-        std::snprintf(text, sizeof text, "%u, %.4f", directions, of_film.all.rmse());
-        traced = text;
-      }
-      std::printf("%-16s %7.4f %7.4f %+8.4f %6.3f %7.4f %7.4f %8.1f %6.1f %14s\n", label.c_str(),
-                  errors.all.rmse(), errors.all.mae(), errors.all.bias(), errors.all.correlation(),
-                  errors.inner.rmse(), errors.border.rmse(), 1e3 * seconds, 1 / seconds, traced.c_str());
-      std::fflush(stdout);
-      append_record(s.output, record);
-      if (!s.pictures.empty() && variant.quality != Quality::draft) {
-        std::string file = label;
-        std::replace(file.begin(), file.end(), '/', '_');
-        save_comparison(s.pictures + "/" + name + "_" + radius_text + "_" + file + ".png", tracer, camera,
-                        frame, radius);
-      }
-    }
-  }
+  for (const std::string& radius : s.radii) run_radius(s, name, radius, scene, mesh, tracer, renderer);
 }
 
 }  // namespace
@@ -265,12 +254,17 @@ void add_ssao(CLI::App& app) {
       ->check(CLI::Range(1, 1000));
   command->add_option("--grid", settings->grid, "The reference has 2 GRID^2 directions a pixel")
       ->check(CLI::Range(4, 100));
-  command->add_flag("--equal-time,!--no-equal-time", settings->equal_time,
-                    "Also what the path tracer reaches in that time");
+  command->add_option("--methods", settings->methods, "Such as point/assigned, march/real-time; default: all")
+      ->delimiter(',');
+  command->add_flag("--reference,!--no-reference", settings->reference, "Errors as well as times");
+  command->add_flag("--equal-time", settings->equal_time,
+                    "Also what the path tracer reaches in the same time, without and with the filter");
   command->add_option("-o,--output", settings->output, "Append JSON lines to this file");
   command->add_option("--pictures", settings->pictures,
                       "Write reference, SSAO and error side by side to this folder");
   command->callback([settings] {
+    if (settings->equal_time && !settings->reference)
+      throw Error(ExitCode::usage, "--equal-time: needs the reference");
     for (const std::string& scene : settings->scenes) run_scene(*settings, scene);
   });
 }
