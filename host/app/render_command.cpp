@@ -15,6 +15,7 @@
 #include "app/ssao_draw.hpp"
 #include "app/ssao_render.hpp"
 #include "app/target_options.hpp"
+#include "app/turntable.hpp"
 #include "base/error.hpp"
 #include "base/libraries.hpp"
 #include "base/memory.hpp"
@@ -46,6 +47,7 @@ struct RenderOptions {
   std::string progress = "auto";
   std::vector<std::string> aovs;
   unsigned frames = 1;
+  unsigned turntable = 0;  // pictures along a turn; 0: one picture
   bool png = true, quiet = false, print_config = false, denoise = false;
 };
 
@@ -232,13 +234,14 @@ void add_ssao(const Scene& scene, const TriangleMesh& mesh, const RenderOptions&
   if (!options.quiet) announce_ssao(record);
 }
 
-int render(const RenderOptions& options) {
-  Scene scene = options.scene.load();
-  scene.denoise = scene.denoise || options.denoise;
-  if (options.print_config) {
-    fmt::print("{}", to_toml(scene));
-    return 0;
-  }
+// What the pictures of one run share: made by the first that needs it.
+struct Loaded {
+  std::optional<TriangleMesh> mesh;
+  std::optional<Device> device;
+  std::optional<Bvh> bvh;
+};
+
+int render(const Scene& scene, const RenderOptions& options, Loaded& loaded) {
   const AovRequest aovs = parse_aovs(options.aovs);
   options.target.check();
   const auto start = std::chrono::steady_clock::now();
@@ -256,8 +259,10 @@ int render(const RenderOptions& options) {
         options.output.empty() ? fs::path(options.scene.scene).replace_extension(".exr") : options.output;
     keep_inputs(scene, file);
     check_writable(file);
-    return render_ssao(scene, {options.scene.scene, file, options.stats, aovs, options.frames,
-                               options.device.threads, options.png, options.quiet});
+    return render_ssao(scene,
+                       {options.scene.scene, file, options.stats, aovs, options.frames,
+                        options.device.threads, options.png, options.quiet},
+                       loaded.mesh);
   }
   const std::optional<Share> shard = options.checkpoints.share();
   CheckpointWriter writer(options.checkpoints.file(options.scene.scene, options.output),
@@ -273,18 +278,22 @@ int render(const RenderOptions& options) {
   RunRecord record;
   record.scene_file = options.scene.scene.string();
   // Starting OpenCL takes longer than reading a small mesh, compiling about as long as building a tree.
-  std::future<Device> opened = std::async(std::launch::async, [&] { return options.device.open(); });
-  const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene, aovs.needs_surface()));
+  std::future<Device> opened;
+  if (!loaded.device) opened = std::async(std::launch::async, [&] { return options.device.open(); });
+  if (!loaded.mesh) loaded.mesh = load_scene_mesh(scene, needed_attributes(scene, aovs.needs_surface()));
+  const TriangleMesh& mesh = *loaded.mesh;
   record.seconds.load = watch.lap();
   record.plan = options.target.plan_for(make_plan(scene, mesh, aovs.needs_surface()));
   record.triangles = mesh.triangles.size();
-  const Device device = opened.get();
+  if (!loaded.device) loaded.device.emplace(opened.get());
+  const Device& device = *loaded.device;
   record.device = device.info();
   if (!options.quiet) announce(record.plan, record);
   watch.lap();
   std::future<PathTracer::Programs> programs =
       std::async(std::launch::async, [&] { return PathTracer::build_programs(device, record.plan); });
-  const Bvh bvh = build_bvh(mesh, {.threads = options.device.threads});
+  if (!loaded.bvh) loaded.bvh = build_bvh(mesh, {.threads = options.device.threads});
+  const Bvh& bvh = *loaded.bvh;
   record.seconds.bvh = watch.lap();
   PathTracer tracer(device, record.plan, mesh, bvh, kernel_source, Traversal::automatic, programs.get());
   record.seconds.compile = tracer.build_seconds();
@@ -366,6 +375,56 @@ int render(const RenderOptions& options) {
   return record.error ? announce_error(*record.error, options.quiet) : 0;
 }
 
+// One picture after the other; the code is that of the worst.
+int render_turntable(const Scene& scene, const RenderOptions& options) {
+  if (options.checkpoints.resume || options.checkpoints.share() ||
+      !options.checkpoints.file(options.scene.scene, options.output).empty())
+    throw Error(ExitCode::usage,
+                "--turntable: a turn is not kept in parts (--checkpoint, --resume, --shard)");
+  if (options.target.dry_run) throw Error(ExitCode::usage, "--turntable: --dry-run forecasts one picture");
+  const fs::path first =
+      options.output.empty() ? fs::path(options.scene.scene).replace_extension(".exr") : options.output;
+  const auto picture = [&](unsigned index) {
+    RenderOptions one = options;
+    one.output = numbered_file(first, index, options.turntable);
+    one.stats = numbered_file(options.stats, index, options.turntable);
+    return one;
+  };
+  for (unsigned i = 0; i < options.turntable; ++i) {
+    const RenderOptions one = picture(i);
+    for (const fs::path& file : {one.output, one.stats}) {
+      if (file.empty()) continue;
+      keep_inputs(scene, file);
+      check_writable(file);
+    }
+  }
+  Loaded loaded;
+  const bool surface =
+      is_ssao_alone(scene) ? parse_aovs(options.aovs).normal : parse_aovs(options.aovs).needs_surface();
+  loaded.mesh = load_scene_mesh(scene, needed_attributes(scene, surface));
+  const Camera camera = resolve_camera(scene, loaded.mesh->subject_bounds());
+  int worst = 0;
+  for (unsigned i = 0; i < options.turntable; ++i) {
+    Scene turned = scene;
+    turned.automatic_camera = false;
+    turned.camera = turned_camera(camera, i, options.turntable);
+    worst = std::max(worst, render(turned, picture(i), loaded));
+  }
+  return worst;
+}
+
+int render(const RenderOptions& options) {
+  Scene scene = options.scene.load();
+  scene.denoise = scene.denoise || options.denoise;
+  if (options.print_config) {
+    fmt::print("{}", to_toml(scene));
+    return 0;
+  }
+  if (options.turntable > 0) return render_turntable(scene, options);
+  Loaded loaded;
+  return render(scene, options, loaded);
+}
+
 }  // namespace
 
 void add_render_command(CLI::App& app, Command& chosen) {
@@ -382,6 +441,11 @@ void add_render_command(CLI::App& app, Command& chosen) {
   command->add_option("--progress", options->progress, "auto, plain, json or none (to stderr)")
       ->envname("NOOK_PROGRESS");
   command->add_option("--frames", options->frames, "SSAO: draw the frame so often, and report the fastest")
+      ->check(CLI::Range(1, 100000));
+  command
+      ->add_option(
+          "--turntable", options->turntable,
+          "Render so many pictures along a full turn of the eye about `at`: out_0000.exr, out_0001.exr, ...")
       ->check(CLI::Range(1, 100000));
   command->add_option("--stats", options->stats, "Write the run record as JSON");
   command->add_flag("--png,!--no-png", options->png,

@@ -21,7 +21,7 @@ bool is_ssao_alone(const Scene& scene) {
                      [](const Effect& e) { return e.kind == EffectKind::ssao; });
 }
 
-int render_ssao(const Scene& scene, const SsaoRun& run) {
+int render_ssao(const Scene& scene, const SsaoRun& run, std::optional<TriangleMesh>& loaded) {
   using Clock = std::chrono::steady_clock;
   const auto seconds_since = [](Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -31,7 +31,8 @@ int render_ssao(const Scene& scene, const SsaoRun& run) {
   record.scene_file = run.scene_file.string();
   // llvmpipe has no other way; it reads this when the context is made.
   if (run.threads > 0) setenv("LP_NUM_THREADS", std::to_string(run.threads).c_str(), 1);
-  const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene, run.aovs.normal));
+  if (!loaded) loaded = load_scene_mesh(scene, needed_attributes(scene, run.aovs.normal));
+  const TriangleMesh& mesh = *loaded;
   record.seconds.load = seconds_since(start);
   record.plan = make_plan(scene, mesh);
   record.triangles = mesh.triangles.size();

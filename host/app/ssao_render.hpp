@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
+#include "mesh/triangle_mesh.hpp"
 #include "render/picture.hpp"
 #include "scene/scene.hpp"
 
@@ -18,7 +20,7 @@ struct SsaoRun {
 /// True if all that the scene asks for is SSAO: nothing of OpenCL is loaded then, and no tree is built.
 bool is_ssao_alone(const Scene& scene);
 
-/// Renders such a scene to its files; returns the exit code.
-int render_ssao(const Scene& scene, const SsaoRun& run);
+/// Renders such a scene to its files; returns the exit code. `mesh` is loaded if it is empty.
+int render_ssao(const Scene& scene, const SsaoRun& run, std::optional<TriangleMesh>& mesh);
 
 }  // namespace nook

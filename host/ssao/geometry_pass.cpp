@@ -127,6 +127,7 @@ GBuffer::GBuffer(const GlContext& context, int width, int height, bool exact, in
   } else {
     front.reset(new GlFramebuffer(context, {&surface, &normals}, &depth));
   }
+  if (layers > 1) back.reset(new GlFramebuffer(context, {&surface}, &depth));
   if (layers > 2) {
     surface2.emplace(context, GL_RGBA32F, width, height);
     second.reset(new GlFramebuffer(context, {&*surface2}, &depth));
@@ -167,7 +168,8 @@ void GeometryPass::draw(Pass pass, const SsaoView& view, const GBuffer& buffer) 
   const GlFunctions& gl = context_.functions();
   const bool back = pass == Pass::back || pass == Pass::second_back;
   const bool second = pass == Pass::second_front || pass == Pass::second_back;
-  (second ? buffer.second : buffer.front)->bind();
+  // A framebuffer holds what the pass writes and no more: outputs that a shader lacks are undefined.
+  (second ? buffer.second : back ? buffer.back : buffer.front)->bind();
   gl.glEnable(GL_DEPTH_TEST);
   gl.glDepthFunc(GL_GREATER);
   // The back layer is drawn into the alpha channel of the front layer's texture, with a depth buffer of its

@@ -44,6 +44,7 @@ struct GBuffer {
   GlTexture surface, normals, depth;
   std::optional<GlTexture> position, exact_normals, surface2;
   std::unique_ptr<GlFramebuffer> front;   ///< surface, normals, [position, exact normals]
+  std::unique_ptr<GlFramebuffer> back;    ///< surface
   std::unique_ptr<GlFramebuffer> second;  ///< surface2
 };
 
