@@ -92,6 +92,9 @@ Comparison compare(const Image& a, const Image& b, const Image* reference_varian
   if (a.width != b.width || a.height != b.height)
     return incomparable(
         fmt::format("sizes differ: {} x {} and {} x {}", a.width, a.height, b.width, b.height));
+  if (a.x0 != b.x0 || a.y0 != b.y0)
+    return incomparable(
+        fmt::format("the images are crops at {}, {} and {}, {} of theirs", a.x0, a.y0, b.x0, b.y0));
   if (reference_variance && (reference_variance->width != a.width || reference_variance->height != a.height))
     return incomparable(fmt::format("the variance has another size: {} x {}", reference_variance->width,
                                     reference_variance->height));

@@ -35,6 +35,13 @@ Image read_checked(const std::filesystem::path& path) {
   Image image;
   image.width = window.max.x - window.min.x + 1;
   image.height = window.max.y - window.min.y + 1;
+  const Imath::Box2i& display = file.header().displayWindow();
+  if (display != window) {
+    image.x0 = window.min.x - display.min.x;
+    image.y0 = window.min.y - display.min.y;
+    image.full_width = display.max.x - display.min.x + 1;
+    image.full_height = display.max.y - display.min.y + 1;
+  }
   const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
 
   const Imf::ChannelList& channels = file.header().channels();

@@ -36,7 +36,8 @@ template <class Value>
 Imf::Slice slice_of(Imf::PixelType type, const std::vector<Value>& values, const Image& image) {
   // OpenEXR takes a mutable pointer for reading and writing alike; writing does not modify it.
   char* base = reinterpret_cast<char*>(const_cast<Value*>(values.data()));
-  return Imf::Slice(type, base, sizeof(Value), sizeof(Value) * static_cast<std::size_t>(image.width));
+  const Imath::V2i origin(image.x0, image.y0);
+  return Imf::Slice::Make(type, base, origin, image.width, image.height);
 }
 
 void require_planes(const Image& image) {
@@ -70,7 +71,9 @@ void write_exr(const std::filesystem::path& path, const Image& image, ExrPrecisi
                                    true);
   (void)threads_set;
 
-  Imf::Header header(image.width, image.height);
+  const Imath::Box2i window({image.x0, image.y0}, {image.x0 + image.width - 1, image.y0 + image.height - 1});
+  const Imath::Box2i whole({0, 0}, {image.full_width - 1, image.full_height - 1});
+  Imf::Header header(image.full_width > 0 ? whole : window, window);
   header.compression() = Imf::ZIP_COMPRESSION;
   Imf::FrameBuffer frame;
   std::list<std::vector<Imath::half>> halves;  // a list: the frame buffer points into its elements

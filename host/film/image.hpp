@@ -21,6 +21,8 @@ struct Image {
   int height = 0;
   std::vector<Channel> channels;
   std::map<std::string, std::string> metadata;  ///< "nook/seed" -> "7"
+  int x0 = 0, y0 = 0;                   ///< its first pixel in the whole image, of which it may be a crop
+  int full_width = 0, full_height = 0;  ///< of the whole image; 0: this is all of it
 
   const Channel* find(std::string_view name) const {
     for (const Channel& channel : channels)

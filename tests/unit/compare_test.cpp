@@ -41,6 +41,26 @@ TEST(Compare, ThresholdsAreExclusive) {
   EXPECT_EQ(status_of(a, b, limits(0.125, 0.125)), CompareStatus::failure);
 }
 
+// Two crops of the same size from different places of a picture have nothing to do with each other.
+TEST(Compare, CropsLieInTheSamePlace) {
+  test::TemporaryFolder folder;
+  Image a = gray(2, 1, {0, 1}), b = a;
+  a.full_width = b.full_width = 8;
+  a.full_height = b.full_height = 6;
+  a.x0 = 3;
+  a.y0 = b.y0 = 2;
+  b.x0 = 4;
+  write_exr(folder.path() / "a.exr", a);
+  write_exr(folder.path() / "b.exr", b);
+  CompareOptions options = limits(0, 0);
+  options.a = options.b = folder.path() / "a.exr";
+  EXPECT_EQ(compare_files(options).status, CompareStatus::same);
+  options.b = folder.path() / "b.exr";
+  const Comparison result = compare_files(options);
+  EXPECT_EQ(result.status, CompareStatus::incomparable);
+  EXPECT_EQ(result.reason, "the images are crops at 3, 2 and 4, 2 of theirs");
+}
+
 TEST(Compare, SomePercentMayDiffer) {
   const Plane a = {0, 0, 0, 1}, b = {0, 0, 0, 0};
   CompareOptions options = limits(0.5, 1);

@@ -63,6 +63,22 @@ void expect_same(const Image& a, const Image& b) {
   }
 }
 
+TEST(Exr, ACropKeepsItsPlace) {
+  test::TemporaryFolder folder;
+  Image image = random_image(3, 2);
+  image.x0 = 5;
+  image.y0 = 7;
+  image.full_width = 20;
+  image.full_height = 10;
+  write_exr(folder.path() / "crop.exr", image);
+  const Image back = read_exr(folder.path() / "crop.exr");
+  expect_same(back, image);
+  EXPECT_EQ(back.x0, 5);
+  EXPECT_EQ(back.y0, 7);
+  EXPECT_EQ(back.full_width, 20);
+  EXPECT_EQ(back.full_height, 10);
+}
+
 TEST(Exr, RoundTripKeepsEveryBit) {
   test::TemporaryFolder folder;
   for (auto [width, height] : {std::pair{1, 1}, {37, 53}, {300, 17}, {1, 100}}) {
