@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 namespace nook {
 namespace {
@@ -25,7 +26,9 @@ std::vector<double> of_runs(const StudyPoint& point, Get get) {
 
 // The camera samples that a level is about, for sorting and for the number of runs.
 double effort(const StudyMethod& method, double level) {
-  if (method.family == StudyMethod::Family::adaptive) return std::max(16.0, 0.15 / (level * level));
+  if (method.family == StudyMethod::Family::adaptive)
+    return method.sampler == "independent" ? std::max(16.0, 0.15 / (level * level))
+                                           : std::max(128.0, 0.4 * std::pow(level, -1.6));
   return method.family == StudyMethod::Family::ssao ? 0.1 * level
                                                     : level * std::sqrt(double(method.directions));
 }
@@ -133,33 +136,34 @@ double Study::expected_seconds(std::size_t p) const {
     if (!points_[q].runs.empty())
       return points_[q].runs.back().wall_seconds * effort(method, points_[p].level) /
              effort(method, points_[q].level);
-  return 0;
+  // Nothing is known of the method: its cheapest level comes first.
+  return p > 0 && slots_[p - 1].method == slots_[p].method ? std::numeric_limits<double>::infinity() : 0;
 }
 
+// The next run is of the point that has had the least time, the run itself included: cheap points have all
+// their runs before dear ones have their second, and points of like cost take turns.
 bool Study::run(const std::function<bool(const Study&)>& go_on) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
-  std::vector<std::size_t> order(points_.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return effort(methods_[slots_[a].method], points_[a].level) <
-           effort(methods_[slots_[b].method], points_[b].level);
-  });
-  for (std::uint32_t round = 0;; ++round) {
-    bool more = false;
-    for (const std::size_t p : order) {
-      if (points_[p].finished() || points_[p].runs.size() > round) {
-        more = more || !points_[p].finished();
-        continue;
-      }
-      const double left = settings_.seconds - std::chrono::duration<double>(Clock::now() - start).count();
-      if (left <= 0) return true;
-      if (expected_seconds(p) > left) continue;
-      measure(p);
-      more = more || !points_[p].finished();
-      if (!go_on(*this)) return false;
+  std::vector<double> spent(points_.size());
+  for (std::size_t p = 0; p < points_.size(); ++p)
+    for (const StudyRun& run : points_[p].runs) spent[p] += run.wall_seconds;
+  for (;;) {
+    const double left = settings_.seconds - std::chrono::duration<double>(Clock::now() - start).count();
+    if (left <= 0) return true;
+    std::size_t next = points_.size();
+    double least = 0;
+    for (std::size_t p = 0; p < points_.size(); ++p) {
+      if (points_[p].finished()) continue;
+      const double expected = expected_seconds(p), after = spent[p] + expected;
+      if (expected > left || (next < points_.size() && after >= least)) continue;
+      next = p;
+      least = after;
     }
-    if (!more) return true;
+    if (next == points_.size()) return true;
+    measure(next);
+    spent[next] += points_[next].runs.back().wall_seconds;
+    if (!go_on(*this)) return false;
   }
 }
 

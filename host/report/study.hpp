@@ -74,9 +74,9 @@ std::uint32_t runs_wanted(const StudyMethod& method, double level);
 
 /// Measures every method at every level, as far as the budget goes.
 ///
-/// Runs are interleaved: a round makes one run of each unfinished point, cheap ones first, so that a
-/// machine's drift meets all methods alike, and a study that ends early has every point rather than some. Run
-/// r of a point has seed `seed + r`.
+/// Runs are interleaved by cost: each goes to the point that has had the least time. So cheap points get all
+/// the runs they want, the dearest at least one if the budget allows it, and methods of like cost take turns,
+/// so that a machine's drift meets them alike. Run r of a point has seed `seed + r`.
 class Study {
  public:
   struct Settings {

@@ -34,6 +34,28 @@ window.addEventListener('load', () => setTimeout(() => {
     pick.dispatchEvent(new Event('change'));
     out.modes[mode] = lit();
   }
+  const pixels = () => stage.toDataURL();
+  const set = (id, value, type) => { const e = document.getElementById(id); e.value = value; e.dispatchEvent(new Event(type)); };
+  const plain = pixels();
+  set('pick-exposure', '2', 'input');
+  out.exposed = pixels() !== plain;
+  set('pick-exposure', '0', 'input');
+  set('pick-layout', 'side', 'change');
+  out.side = pixels() !== plain;
+  // Side by side, both panes show the same part of their pictures: the wheel over one zooms both.
+  const half = left => { const c = stage.getContext('2d').getImageData(left ? 0 : stage.width / 2, 0, stage.width / 2, stage.height).data; let sum = 0; for (let i = 0; i < c.length; i += 4) sum = (sum * 31 + c[i]) >>> 0; return sum; };
+  const before = [half(true), half(false)];
+  stage.dispatchEvent(new WheelEvent('wheel', {...at(.2, .4), deltaY: -400}));
+  out.synchronised = half(true) !== before[0] && half(false) !== before[1];
+  set('pick-layout', 'slider', 'change');
+  out.groups = [...document.querySelectorAll('#strips h3')].map(h => h.textContent);
+  out.captions = [...document.querySelectorAll('#strips figcaption')].map(c => c.textContent);
+  out.slopes = [...document.querySelectorAll('#curve-legend .slope')].map(s => s.textContent).filter(Boolean);
+  out.bands = document.querySelectorAll('#curve-plot polygon').length;
+  out.costs = [...document.querySelectorAll('#cost-table tbody tr')].map(r => parseFloat(r.cells[1].textContent)).filter(v => !isNaN(v));
+  out.efficiency = [...document.querySelectorAll('#efficiency-table tbody tr')].map(r => r.cells[6].textContent).filter(t => t !== '–');
+  out.radius = document.getElementById('screen-radius').textContent;
+  out.facts = document.getElementById('fact-table').textContent;
   const dots = () => document.querySelectorAll('#curve-plot circle.hit').length;
   out.dots = dots();
   const hit = document.querySelector('#curve-plot circle.hit');
@@ -45,7 +67,7 @@ window.addEventListener('load', () => setTimeout(() => {
   out.axis = document.querySelector('#curve-plot svg').textContent;
   out.coverage_dots = document.querySelectorAll('#coverage-plot circle.hit').length;
   out.patterns = [...document.querySelectorAll('#pattern-plots svg')].map(s => s.querySelectorAll('circle').length);
-  out.rows = Object.fromEntries(['cost-table', 'efficiency-table', 'adaptive-table', 'fact-table'].map(id => [id, document.querySelectorAll('#' + id + ' tbody tr').length]));
+  out.rows = Object.fromEntries(['cost-table', 'efficiency-table', 'adaptive-table', 'screen-table', 'fact-table'].map(id => [id, document.querySelectorAll('#' + id + ' tbody tr').length]));
   out.strips = document.querySelectorAll('#strips canvas').length;
   out.fetched = performance.getEntriesByType('resource').map(r => r.name).filter(n => !n.startsWith('data:'));
   out.problems = window.problems;
@@ -117,6 +139,14 @@ def check(page, folder):
     assert len(out["patterns"]) == 5 and all(n == 257 for n in out["patterns"]), out["patterns"]
     assert all(n > 0 for n in out["rows"].values()), out["rows"]
     assert out["strips"] >= 4
+    assert out["exposed"] and out["side"] and out["synchronised"], [out[k] for k in ("exposed", "side", "synchronised")]
+    assert out["groups"] == ["In the same time", "To the same error"], out["groups"]
+    assert all("RMSE" in caption for caption in out["captions"]), out["captions"]
+    assert len(out["slopes"]) > 5 and out["bands"] > 0
+    assert len(out["costs"]) > 3 and len(out["efficiency"]) >= 3
+    assert out["radius"] == "1.5 world units", out["radius"]
+    for what in ("device", "command", "seeds", "reference", "scene hash"):
+        assert what in out["facts"], what
 
 
 def main():

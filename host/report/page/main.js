@@ -46,6 +46,7 @@ chart(document.getElementById('coverage-plot'), methods.filter(m => m.family ===
   name: m.name, colour: m.colour, points: m.points.filter(p => p.covered >= 0).map(p => ({x: p.level, y: p.covered, tip: `spp ${p.level}\ncovered ${percent(p.covered)}`}))})),
   {x: 'spp', y: 'pixels inside their 95 % interval', yRange: [0, 1], height: 340, lines: [0.95]});
 adaptiveTable(document.getElementById('adaptive-table'), methods);
+document.getElementById('screen-radius').textContent = fact('screen-space radius');
 screenTable(document.getElementById('screen-table'), document.getElementById('screen'), methods);
 if (study.gallery && study.gallery.length) makeViewer(study.gallery);
 else document.getElementById('pictures').remove();

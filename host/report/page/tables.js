@@ -51,9 +51,9 @@ function efficiencyTable(target, methods) {
 
 function adaptiveTable(target, methods) {
   const rows = methods.filter(m => m.family === 'adaptive').flatMap(m => m.points.map(p =>
-    [p.level, short(p.error_claimed), short(p.rmse), percent(p.covered), (p.mean_error >= 0 ? '+' : '') + short(p.mean_error, 2), short(p.wall_seconds) + ' s']));
+    [named(m), p.level, short(p.error_claimed), short(p.rmse), percent(p.covered), (p.mean_error >= 0 ? '+' : '') + short(p.mean_error, 2), short(p.wall_seconds) + ' s']));
   if (!rows.length) return;
-  table(target, ['error asked', 'claimed', 'reached (RMSE)', 'covered', 'mean error', 'time'], rows);
+  table(target, ['rule', 'error asked', 'claimed', 'reached (RMSE)', 'covered', 'mean error', 'time'], rows);
   target.prepend(element('h3', {}, 'Adaptive: error asked and error reached'));
 }
 
