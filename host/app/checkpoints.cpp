@@ -36,9 +36,8 @@ Share checked(std::uint32_t index, std::uint32_t count, const std::string& text)
 void CheckpointOptions::add_to(CLI::App& command) {
   command.add_option("--checkpoint", checkpoint,
                      "Keep finished samples in this file; nook merge and --resume read it");
-  command.add_option("--every", every, "Seconds between checkpoints")
-      ->check(CLI::Range(0.0, 1e9))
-      ->capture_default_str();
+  command.add_option("--every", every, "Seconds between checkpoints; default 60")
+      ->check(CLI::Range(0.0, 1e9));
   command.add_flag("--resume", resume, "Go on from the checkpoint if there is one");
   command
       .add_option("--shard", shard,
@@ -68,7 +67,7 @@ std::optional<Share> CheckpointOptions::share() const {
 
 std::filesystem::path CheckpointOptions::file(const std::filesystem::path& scene,
                                               const std::filesystem::path& output) const {
-  if (std::isnan(every)) throw Error(ExitCode::usage, "--every: 'nan' is not a number of seconds");
+  if (every && std::isnan(*every)) throw Error(ExitCode::usage, "--every: 'nan' is not a number of seconds");
   const std::optional<Share> part = share();
   std::filesystem::path file = checkpoint;
   if (part) {
@@ -81,6 +80,7 @@ std::filesystem::path CheckpointOptions::file(const std::filesystem::path& scene
   }
   if (file.empty()) {
     if (resume) throw Error(ExitCode::usage, "--resume: needs --checkpoint FILE");
+    if (every) throw Error(ExitCode::usage, "--every: needs --checkpoint FILE");
     return file;
   }
   std::error_code code;
@@ -109,6 +109,9 @@ void CheckpointWriter::write(Session& session) {
 
 std::string CheckpointWriter::what_is_kept(const Session& session) const {
   if (file_.empty()) return "; nothing was written";
+  // How many samples a render to an error will need is not known.
+  if (!session.films().front().kept.empty())
+    return fmt::format("; {} holds what is finished, --resume goes on from there", file_.string());
   const double share = double(session.samples_held()) / double(session.share({0, 1}).samples());
   return fmt::format("; {} holds {:.1f} % of the picture's samples, --resume goes on from there",
                      file_.string(), 100 * share);

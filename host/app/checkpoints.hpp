@@ -13,7 +13,7 @@ namespace nook {
 /// --checkpoint, --every, --resume, --shard.
 struct CheckpointOptions {
   std::filesystem::path checkpoint;
-  double every = 60;  ///< seconds
+  std::optional<double> every;  ///< seconds; default 60
   bool resume = false;
   std::string shard;
 

@@ -75,7 +75,12 @@ int merge(const MergeOptions& options) {
     throw Error(ExitCode::target,
                 fmt::format("{:.2f} % of the picture is missing: {}; --partial writes it all the same",
                             percent(missing, part), describe(missing)));
+  if (!part.films.front().kept.empty())
+    throw Error(ExitCode::usage,
+                fmt::format("{}: a render to an error; nook render --resume makes its picture",
+                            options.parts.front().string()));
   Image image = make_picture(part);
+  place_crop(image, part.identity);
   for (const auto& [name, value] : count_metadata(part.counts, part.render_seconds))
     image.metadata[name] = value;
   write_exr(options.output, image);

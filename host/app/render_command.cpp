@@ -1,24 +1,22 @@
 // nook render SCENE: a scene in, an EXR (and a PNG preview) out.
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <future>
+#include <optional>
 
 #include "app/checkpoints.hpp"
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
-#include "app/progress.hpp"
-#include "app/scene_options.hpp"
+#include "app/render_options.hpp"
+#include "app/render_report.hpp"
+#include "app/render_run.hpp"
 #include "app/ssao_draw.hpp"
 #include "app/ssao_render.hpp"
-#include "app/target_options.hpp"
 #include "app/turntable.hpp"
 #include "base/error.hpp"
 #include "base/libraries.hpp"
-#include "base/memory.hpp"
 #include "bvh/bvh.hpp"
 #include "film/checkpoint.hpp"
 #include "film/exr.hpp"
@@ -31,25 +29,11 @@
 #include "render/scene_mesh.hpp"
 #include "render/session.hpp"
 #include "report/run_record.hpp"
-#include "scene/names.hpp"
 
 namespace nook {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct RenderOptions {
-  SceneOptions scene;
-  DeviceOptions device;
-  CheckpointOptions checkpoints;
-  TargetOptions target;
-  fs::path output, stats;
-  std::string progress = "auto";
-  std::vector<std::string> aovs;
-  unsigned frames = 1;
-  unsigned turntable = 0;  // pictures along a turn; 0: one picture
-  bool png = true, quiet = false, print_config = false, denoise = false;
-};
 
 class Stopwatch {
  public:
@@ -66,96 +50,6 @@ class Stopwatch {
  private:
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
-
-// The output's folder is tried before the work, not after it.
-void check_writable(const fs::path& file) {
-  std::error_code code;
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder, code))
-    throw Error(ExitCode::output,
-                fmt::format("{}: the folder {} does not exist", file.string(), folder.string()));
-  if (fs::is_directory(file, code))
-    throw Error(ExitCode::output, fmt::format("{}: is a folder", file.string()));
-  if (access(folder.c_str(), W_OK) != 0)
-    throw Error(ExitCode::output,
-                fmt::format("{}: the folder {} is not writable", file.string(), folder.string()));
-}
-
-// A film has 28 bytes a pixel and effect; render order, pixel list and positions 4 each; the picture 4 a
-// channel, held twice when it is written, and up to three channels an effect or AOV.
-void check_memory(const Scene& scene, std::size_t aovs) {
-  const PixelRect window = scene.crop.value_or(PixelRect{0, 0, scene.width, scene.height});
-  const std::uint64_t pixels = std::uint64_t(window.width()) * std::uint64_t(window.height());
-  const std::uint64_t bytes_a_pixel =
-      28 * scene.effects.size() + 12 + 2 * 4 * 3 * (scene.effects.size() + aovs);
-  nook::check_memory(pixels * bytes_a_pixel,
-                     fmt::format("a picture of {}x{} pixels", window.width(), window.height()),
-                     "render it in pieces with --crop");
-}
-
-// One file for each output: the last one written would replace the others.
-void check_outputs(const RenderOptions& options) {
-  std::vector<fs::path> files;
-  for (const fs::path& file : {options.output, options.stats, options.checkpoints.checkpoint})
-    if (!file.empty()) files.push_back(fs::absolute(file).lexically_normal());
-  std::sort(files.begin(), files.end());
-  const auto twice = std::adjacent_find(files.begin(), files.end());
-  if (twice != files.end())
-    throw Error(ExitCode::usage, fmt::format("{}: two outputs cannot share a file", twice->string()));
-  if (options.png && options.output.extension() == ".png")
-    throw Error(ExitCode::usage, fmt::format("{}: is the preview's name; name an .exr file, or say --no-png",
-                                             options.output.string()));
-}
-
-// Options that this scene cannot honour, and those that exclude one another; before anything is loaded.
-void check_combinations(const Scene& scene, const RenderOptions& options) {
-  const auto any = [&](auto kind) {
-    return std::any_of(scene.effects.begin(), scene.effects.end(),
-                       [&](const Effect& e) { return kind(e.kind); });
-  };
-  const bool sampled = any(is_traced);
-  const bool screen_space = any([](EffectKind kind) { return kind == EffectKind::ssao; });
-  const bool shard = options.checkpoints.share().has_value();
-  const bool kept = shard || options.checkpoints.resume ||
-                    !options.checkpoints.file(options.scene.scene, options.output).empty();
-  const auto fail = [](const char* why) { throw Error(ExitCode::usage, why); };
-  if (!sampled && options.target.any()) fail("--error, --time: the scene has no effect with samples");
-  if (!sampled && options.denoise) fail("--denoise: the scene has no effect with samples");
-  if (scene.denoise && shard)
-    fail("--denoise, --shard: a share of a picture is not denoised; render it whole, or leave denoise out");
-  if (!sampled && kept) fail("--checkpoint, --resume, --shard: the scene has no effect with samples to keep");
-  if (screen_space && shard)
-    fail("--shard: a screen-space layer cannot be merged; render it with a scene of its own");
-  if (options.target.error && kept)
-    fail("--error: a render to an error is not kept in parts (--checkpoint, --shard)");
-  if (options.target.seconds && shard)
-    fail("--time: a share of a picture (--shard) has a fixed number of samples");
-}
-
-std::string distance_text(const EffectPlan& effect) {
-  return std::isinf(effect.max_distance) ? "unlimited"
-                                         : fmt::format("{:.6g} world units", effect.max_distance);
-}
-
-void announce(const Plan& plan, const RunRecord& record) {
-  for (const EffectPlan& effect : plan.effects)
-    fmt::print(stderr, "{} {}x{}, {} triangles, {} spp x {} directions, {}, {}, distance {}, {}\n",
-               name_of(effect.effect.kind), plan.window.width(), plan.window.height(), record.triangles,
-               plan.spp, plan.directions, name_of(effect.effect.sampling), name_of(plan.sampler),
-               distance_text(effect), record.device.name);
-}
-
-void announce_end(const RunRecord& r, const fs::path& output) {
-  fmt::print(stderr,
-             "{}: load {:.2f} s, tree {:.2f} s, kernels {:.2f} s{}, render {:.2f} s ({:.1f} Mrays/s), write "
-             "{:.2f} s\n",
-             output.string(), r.seconds.load, r.seconds.bvh, r.seconds.compile,
-             r.kernels_from_cache ? " (cached)" : "", r.seconds.render,
-             double(r.counts.camera_rays + r.counts.occlusion_rays) / std::max(r.seconds.render, 1e-9) * 1e-6,
-             r.seconds.write);
-  if (r.counts.rejected)
-    fmt::print(stderr, "warning: {} samples were not finite and were left out\n", r.counts.rejected);
-}
 
 std::vector<std::uint32_t> row_major(const PixelRect& window, int width) {
   std::vector<std::uint32_t> pixels;
@@ -185,37 +79,12 @@ FilmPart::Texts as_texts(const std::map<std::string, std::string>& metadata) {
   return {metadata.begin(), metadata.end()};
 }
 
-// Runs the session to the end of its share, keeping its part on disk. Whatever ends it early, what is
-// finished stays.
-void run_session(Session& session, const SampleBox& share, const Session::Schedule& schedule,
-                 Deadline deadline, CheckpointWriter& writer, ProgressMode mode) {
-  const auto rays = [&] { return session.part().counts.camera_rays + session.part().counts.occlusion_rays; };
-  const std::uint64_t held_before = session.samples_held(), rays_before = rays();
-  ProgressReporter progress(mode, samples_in(subtract({share}, session.held())));
-  bool finished = false, out_of_time = false;
-  try {
-    finished = session.run(schedule, [&] {
-      progress.update(session.samples_held() - held_before, rays() - rays_before);
-      writer.update(session);
-      out_of_time = out_of_time || deadline.reached();  // asked once more, for the launch under way
-      return !interrupted() && !out_of_time;
-    });
-  } catch (const Error& e) {
-    progress.finish();
-    writer.write(session);
-    throw Error(e.code(), e.what() + writer.what_is_kept(session));
-  }
-  progress.finish();
-  if (finished || (out_of_time && !interrupted())) return;
-  writer.write(session);
-  throw Error(ExitCode::interrupted, "interrupted" + writer.what_is_kept(session));
-}
-
 // Writes the picture (a shard has none yet) and the record.
 void finish(const RenderOptions& options, const fs::path& output, Image& image, Stopwatch& watch,
             Stopwatch& whole, RunRecord& record) {
   if (!image.channels.empty()) {
     image.metadata = record.metadata();
+    place_crop(image, record.plan);
     write_exr(output, image);
     if (options.png) write_png(fs::path(output).replace_extension(".png"), image);
   }
@@ -230,8 +99,105 @@ void finish(const RenderOptions& options, const fs::path& output, Image& image, 
 void add_ssao(const Scene& scene, const TriangleMesh& mesh, const RenderOptions& options, RunRecord& record,
               Image& image) {
   if (record.plan.ssao.empty()) return;
-  draw_ssao(scene, mesh, {}, options.frames, record, image);
+  draw_ssao(scene, mesh, {}, options.frames.value_or(1), record, image);
   if (!options.quiet) announce_ssao(record);
+}
+
+// A render and what it is made with.
+struct Job {
+  const RenderOptions& options;
+  const Scene& scene;
+  const TriangleMesh& mesh;
+  const Device& device;
+  const AovRequest& aovs;
+  StopTarget stop;
+  Deadline deadline;
+  fs::path output;
+  ProgressMode progress;
+  std::optional<Share> shard;
+};
+
+// What the tracer and the device counted.
+void record_counts(const Job& job, const PathTracer& tracer, const TraceCounts& counts, RunRecord& record) {
+  record.counts = counts;
+  record.launches = tracer.counters().launches;
+  record.device_seconds = tracer.counters().device_seconds;
+  record.effect_rays = tracer.counters().effect_rays;
+  record.bytes_uploaded = job.device.bytes_uploaded();
+  record.kernels_built = tracer.programs();
+}
+
+// No effect with samples: one camera ray a pixel.
+void render_surface(const Job& job, PathTracer& tracer, RunRecord& record, Stopwatch& watch,
+                    Stopwatch& whole) {
+  const PixelRect& window = record.plan.window;
+  Image image{window.width(),
+              window.height(),
+              channels_of_surface(record.plan, job.aovs, surface_under_pixels(tracer, record.plan)),
+              {}};
+  record.seconds.render = watch.lap();
+  record_counts(job, tracer, {tracer.counters().camera_rays, 0, 0}, record);
+  add_ssao(job.scene, job.mesh, job.options, record, image);
+  finish(job.options, job.output, image, watch, whole, record);
+}
+
+// Takes the samples and writes what they make; the exit code.
+int render_samples(const Job& job, PathTracer& tracer, CheckpointWriter& writer, RunRecord& record,
+                   Stopwatch& watch, Stopwatch& whole) {
+  const RenderOptions& options = job.options;
+  FilmPart::Texts of_rule;
+  if (job.stop.error)
+    of_rule = {{"error", fmt::format("{}", *job.stop.error)},
+               {"confidence", fmt::format("{}", job.stop.confidence)},
+               {"min_spp", std::to_string(job.stop.min_spp)}};
+  FilmPart::Texts identity =
+      film_identity(record.plan, record.device, record.scene_hash, record.mesh_hash, of_rule);
+  std::optional<AdaptiveRender> adaptive;
+  std::optional<Session> fixed;
+  if (job.stop.error)
+    adaptive.emplace(tracer, record.plan, error_target(job.stop), std::move(identity));
+  else
+    fixed.emplace(tracer, record.plan, std::move(identity));
+  Session& session = adaptive ? adaptive->session() : *fixed;
+  std::error_code code;
+  if (options.checkpoints.resume && fs::exists(writer.file(), code))
+    session.resume(read_film_part(writer.file()), writer.file().string());
+  session.part().layers = layer_names(record.plan);
+  session.part().aovs = options.aovs;
+  session.part().metadata = as_texts(record.metadata());
+  watch.lap();
+  record.seconds.before_first_ray = whole.elapsed();
+
+  catch_interrupts();
+  AdaptiveResult result;
+  const RunControl control{tracer, writer, job.deadline, job.progress};
+  if (adaptive) {
+    result = run_to_error(*adaptive, control);
+    record.error = ErrorRecord{result.error_asked, job.stop.confidence, result.error_reached,
+                               result.error_worst, result.share_done};
+    record.complete = result.met();
+  } else {
+    run_to_samples(session, session.share(job.shard.value_or(Share{})), job.stop.seconds.has_value(),
+                   control);
+    if (job.stop.seconds) record.error = error_of(session.films());
+  }
+  FilmPart& part = session.part();
+  const std::vector<SurfacePoint> surface = surface_under_pixels(tracer, record.plan);
+  part.surface = channels_of_surface(record.plan, job.aovs, surface);
+  watch.lap();
+
+  record_counts(job, tracer, part.counts, record);
+  record.seconds.render = part.render_seconds;
+  part.metadata = as_texts(record.metadata());
+  writer.write(session);
+  Image image;
+  if (!job.shard) {
+    image = adaptive ? adaptive->picture(part, result) : make_picture(part);
+    if (record.plan.denoise) denoise_picture(record.plan, part.films, surface, image);
+    add_ssao(job.scene, job.mesh, options, record, image);
+  }
+  finish(options, job.output, image, watch, whole, record);
+  return record.error ? announce_error(*record.error, options.quiet) : 0;
 }
 
 // What the pictures of one run share: made by the first that needs it.
@@ -242,37 +208,28 @@ struct Loaded {
 };
 
 int render(const Scene& scene, const RenderOptions& options, Loaded& loaded) {
+  const double start = Deadline::steady_seconds();
   const AovRequest aovs = parse_aovs(options.aovs);
-  options.target.check();
-  const auto start = std::chrono::steady_clock::now();
   const ProgressMode asked = parse_progress(options.progress);
-  const ProgressMode mode = options.quiet ? ProgressMode::none : asked;
   if (!options.stats.empty()) {
     keep_inputs(scene, options.stats);
     check_writable(options.stats);
   }
-  check_outputs(options);
-  check_combinations(scene, options);
-  check_memory(scene, options.aovs.size());
-  if (is_ssao_alone(scene)) {
-    const fs::path file =
-        options.output.empty() ? fs::path(options.scene.scene).replace_extension(".exr") : options.output;
-    keep_inputs(scene, file);
-    check_writable(file);
-    return render_ssao(scene,
-                       {options.scene.scene, file, options.stats, aovs, options.frames,
-                        options.device.threads, options.png, options.quiet},
-                       loaded.mesh);
-  }
+  const StopTarget stop = options.check(scene);
+  check_memory(scene, options.aovs.size(), stop.error ? largest_rule_bytes : 0);
+  const bool only_screen_space = is_ssao_alone(scene);
   const std::optional<Share> shard = options.checkpoints.share();
   CheckpointWriter writer(options.checkpoints.file(options.scene.scene, options.output),
-                          options.checkpoints.every);
+                          options.checkpoints.every.value_or(60));
   if (!writer.file().empty()) check_writable(writer.file());
-  const fs::path output = shard                    ? writer.file()
-                          : options.output.empty() ? fs::path(options.scene.scene).replace_extension(".exr")
-                                                   : options.output;
+  const fs::path output = shard ? writer.file() : options.picture_file();
   keep_inputs(scene, output);
   check_writable(output);
+  if (only_screen_space)
+    return render_ssao(scene,
+                       {options.scene.scene, output, options.stats, aovs, options.frames.value_or(1),
+                        options.device.threads, options.png, options.quiet},
+                       loaded.mesh);
 
   Stopwatch whole, watch;
   RunRecord record;
@@ -283,12 +240,13 @@ int render(const Scene& scene, const RenderOptions& options, Loaded& loaded) {
   if (!loaded.mesh) loaded.mesh = load_scene_mesh(scene, needed_attributes(scene, aovs.needs_surface()));
   const TriangleMesh& mesh = *loaded.mesh;
   record.seconds.load = watch.lap();
-  record.plan = options.target.plan_for(make_plan(scene, mesh, aovs.needs_surface()));
+  const Plan all = make_plan(scene, mesh, aovs.needs_surface());
+  record.plan = options.target.dry_run ? plan_to_forecast(stop, all) : plan_until(stop, all);
   record.triangles = mesh.triangles.size();
   if (!loaded.device) loaded.device.emplace(opened.get());
   const Device& device = *loaded.device;
   record.device = device.info();
-  if (!options.quiet) announce(record.plan, record);
+  if (!options.quiet) announce(record, stop);
   watch.lap();
   std::future<PathTracer::Programs> programs =
       std::async(std::launch::async, [&] { return PathTracer::build_programs(device, record.plan); });
@@ -301,78 +259,18 @@ int render(const Scene& scene, const RenderOptions& options, Loaded& loaded) {
   record.scene_hash = scene_hash(scene);
   record.mesh_hash = mesh_hash(mesh);
 
-  if (options.target.dry_run) {
-    print_forecast(tracer, record.plan, options.target);
-    tracer.store_programs();
-    return 0;
-  }
-  if (record.plan.effects.empty()) {
-    Image image{record.plan.window.width(),
-                record.plan.window.height(),
-                channels_of_surface(record.plan, aovs, surface_under_pixels(tracer, record.plan)),
-                {}};
-    record.seconds.render = watch.lap();
-    record.counts.camera_rays = tracer.counters().camera_rays;
-    record.bytes_uploaded = device.bytes_uploaded();
-    record.kernels_built = tracer.programs();
-    add_ssao(scene, mesh, options, record, image);
-    finish(options, output, image, watch, whole, record);
-    tracer.store_programs();
-    return 0;
-  }
-
-  Session session(tracer, record.plan,
-                  film_identity(record.plan, record.device, record.scene_hash, record.mesh_hash));
-  std::error_code code;
-  if (options.checkpoints.resume && fs::exists(writer.file(), code))
-    session.resume(read_film_part(writer.file()), writer.file().string());
-  session.part().layers = layer_names(record.plan);
-  session.part().aovs = options.aovs;
-  session.part().metadata = as_texts(record.metadata());
-  watch.lap();
-  record.seconds.before_first_ray = whole.elapsed();
-
-  catch_interrupts();
-  const Deadline deadline(start, options.target.seconds);
-  FilmPart& part = session.part();
-  std::optional<AdaptiveRender> adaptive;
-  AdaptiveResult result;
-  if (options.target.error) {
-    adaptive.emplace(tracer, record.plan, options.target.error_target());
-    result = render_to_error(*adaptive, tracer, deadline, mode);
-    part.render_seconds = watch.lap();
-    const RenderCounters& counters = tracer.counters();
-    part.counts = {counters.camera_rays, counters.occlusion_rays, counters.rejected};
-    record.error = ErrorRecord{result.error_asked, options.target.target.confidence, result.error_reached,
-                               result.error_worst, result.share_done};
-    record.complete = result.met();
-  } else {
-    const SampleBox share = session.share(shard.value_or(Share{}));
-    run_session(session, share, options.target.seconds ? doublings() : all_of(share), deadline, writer, mode);
-    if (options.target.seconds) record.error = error_of(part.films);
-  }
-  const std::vector<SurfacePoint> surface = surface_under_pixels(tracer, record.plan);
-  part.surface = channels_of_surface(record.plan, aovs, surface);
-  watch.lap();
-
-  record.counts = part.counts;
-  record.launches = tracer.counters().launches;
-  record.device_seconds = tracer.counters().device_seconds;
-  record.seconds.render = part.render_seconds;
-  record.bytes_uploaded = device.bytes_uploaded();
-  record.kernels_built = tracer.programs();
-  record.effect_rays = tracer.counters().effect_rays;
-  part.metadata = as_texts(record.metadata());
-  writer.write(session);
-  Image image;
-  if (!shard) {
-    image = adaptive ? adaptive->picture(part, result) : make_picture(part);
-    if (record.plan.denoise) denoise_picture(record.plan, part.films, surface, image);
-    add_ssao(scene, mesh, options, record, image);
-  }
-  finish(options, output, image, watch, whole, record);
+  const Deadline deadline(stop.seconds ? std::optional(start + *stop.seconds) : std::nullopt);
+  const ProgressMode progress = options.quiet ? ProgressMode::none : asked;
+  const Job job{options, scene, mesh, device, aovs, stop, deadline, output, progress, shard};
+  int code = 0;
+  if (options.target.dry_run)
+    print_forecast(tracer, record.plan, stop);
+  else if (record.plan.effects.empty())
+    render_surface(job, tracer, record, watch, whole);
+  else
+    code = render_samples(job, tracer, writer, record, watch, whole);
   tracer.store_programs();
-  return record.error ? announce_error(*record.error, options.quiet) : 0;
+  return code;
 }
 
 // One picture after the other; the code is that of the worst.
@@ -382,8 +280,7 @@ int render_turntable(const Scene& scene, const RenderOptions& options) {
     throw Error(ExitCode::usage,
                 "--turntable: a turn is not kept in parts (--checkpoint, --resume, --shard)");
   if (options.target.dry_run) throw Error(ExitCode::usage, "--turntable: --dry-run forecasts one picture");
-  const fs::path first =
-      options.output.empty() ? fs::path(options.scene.scene).replace_extension(".exr") : options.output;
+  const fs::path first = options.picture_file();
   const auto picture = [&](unsigned index) {
     RenderOptions one = options;
     one.output = numbered_file(first, index, options.turntable);
@@ -417,6 +314,7 @@ int render(const RenderOptions& options) {
   Scene scene = options.scene.load();
   scene.denoise = scene.denoise || options.denoise;
   if (options.print_config) {
+    scene.stop = options.check(scene);
     fmt::print("{}", to_toml(scene));
     return 0;
   }
@@ -430,31 +328,7 @@ int render(const RenderOptions& options) {
 void add_render_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* command = app.add_subcommand("render", "Render a scene to an EXR and a PNG preview");
-  options->scene.add_to(*command);
-  options->device.add_to(*command);
-  options->checkpoints.add_to(*command);
-  options->target.add_to(*command);
-  command->add_option("-o,--output", options->output,
-                      "EXR file; default: beside the scene, .exr for .toml. With --shard: the part's file");
-  command->add_option("--aov", options->aovs, "More channels: normal,position,depth,variance,samples,alpha")
-      ->delimiter(',');
-  command->add_option("--progress", options->progress, "auto, plain, json or none (to stderr)")
-      ->envname("NOOK_PROGRESS");
-  command->add_option("--frames", options->frames, "SSAO: draw the frame so often, and report the fastest")
-      ->check(CLI::Range(1, 100000));
-  command
-      ->add_option(
-          "--turntable", options->turntable,
-          "Render so many pictures along a full turn of the eye about `at`: out_0000.exr, out_0001.exr, ...")
-      ->check(CLI::Range(1, 100000));
-  command->add_option("--stats", options->stats, "Write the run record as JSON");
-  command->add_flag("--png,!--no-png", options->png,
-                    "Write a PNG preview beside the EXR (sRGB encoded); on by default");
-  command->add_flag("--denoise", options->denoise,
-                    "Filter what is traced: less noise, some bias (docs/effects.md); off by default");
-  command->add_flag("--quiet", options->quiet, "Say nothing but errors");
-  command->add_flag("--print-config", options->print_config,
-                    "Print the scene with every override and default, render nothing");
+  options->add_to(*command);
   command->callback([options, &chosen] { chosen = [options] { return render(*options); }; });
 }
 

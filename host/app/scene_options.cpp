@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 
 #include "base/error.hpp"
 #include "film/exr.hpp"
@@ -90,6 +91,17 @@ std::string effect_toml(const Effect& e) {
   return out;
 }
 
+// The keys of how long to render.
+std::string stop_toml(const Scene& s) {
+  if (!s.stop.any()) return fmt::format("spp = {}\n", s.spp);
+  std::string out;
+  if (s.stop.error)
+    out += fmt::format("error = {}\nconfidence = {}\nmin_spp = {}\n", *s.stop.error, s.stop.confidence,
+                       s.stop.min_spp);
+  if (s.stop.seconds) out += fmt::format("time = {}\n", *s.stop.seconds);
+  return out + fmt::format("max_spp = {}\n", s.stop.max_spp);
+}
+
 bool is_mesh(const std::filesystem::path& file) {
   const std::string extension = file.extension().string();
   return extension == ".obj" || extension == ".OBJ" || extension == ".ply" || extension == ".PLY";
@@ -169,6 +181,35 @@ Scene SceneOptions::load() const {
   return loaded;
 }
 
+void SceneOptions::check_applicable(const Scene& loaded) const {
+  const auto any = [&](auto kind) {
+    return std::any_of(loaded.effects.begin(), loaded.effects.end(),
+                       [&](const Effect& e) { return kind(e.kind); });
+  };
+  const bool sampled = any(is_traced);
+  const bool reflected = any([](EffectKind kind) { return kind == EffectKind::ro; });
+  const bool screen_space = any([](EffectKind kind) { return kind == EffectKind::ssao; });
+  const struct {
+    const char *flag, *variable;
+    bool given, applies;
+    const char* what;
+  } flags[] = {
+      {"--spp", "NOOK_SPP", spp.has_value(), sampled, "an effect with samples"},
+      {"--directions", "NOOK_DIRECTIONS", directions.has_value(), sampled, "an effect with samples"},
+      {"--sampling", "NOOK_SAMPLING", sampling.has_value(), sampled, "an effect with samples"},
+      {"--sampler", "NOOK_SAMPLER", sampler.has_value(), sampled, "an effect with samples"},
+      {"--max-distance", "NOOK_MAX_DISTANCE", max_distance.has_value(), sampled, "an effect with samples"},
+      {"--exponent", "NOOK_EXPONENT", exponent.has_value(), reflected, "an effect of type ro"},
+      {"--method", "NOOK_METHOD", method.has_value(), screen_space, "an effect of type ssao"},
+      {"--quality", "NOOK_QUALITY", quality.has_value(), screen_space, "an effect of type ssao"},
+      {"--radius", "NOOK_RADIUS", radius.has_value(), screen_space, "an effect of type ssao"}};
+  // A variable may be meant for all scenes of a folder; a flag is meant for this one.
+  for (const auto& flag : flags)
+    if (flag.given && !flag.applies && !std::getenv(flag.variable))
+      throw Error(ExitCode::usage, fmt::format("{}: {} has no {}", flag.flag, loaded.file.string(),
+                                               std::string_view(flag.what).substr(3)));
+}
+
 void keep_inputs(const Scene& scene, const std::filesystem::path& output) {
   const auto refuse = [&](const std::filesystem::path& input) {
     std::error_code code;
@@ -222,8 +263,8 @@ std::string to_toml(const Scene& s) {
   if (single) out += effect_toml(s.effects.front());
   if (std::any_of(s.effects.begin(), s.effects.end(),
                   [](const Effect& e) { return e.kind != EffectKind::ssao; }))
-    out += fmt::format("spp = {}\ndirections = {}\nsampler = \"{}\"\nseed = {}\n", s.spp, s.directions,
-                       name_of(s.sampler), s.seed);
+    out += stop_toml(s) + fmt::format("directions = {}\nsampler = \"{}\"\nseed = {}\n", s.directions,
+                                      name_of(s.sampler), s.seed);
   if (s.denoise) out += "denoise = true\n";
   if (s.compat_tinyrender) out += "compat = \"tinyrender\"\n";
   if (single) return out;
@@ -239,6 +280,7 @@ std::string scene_hash(const Scene& scene) {
   Scene unnamed = scene;
   unnamed.mesh_file.clear();
   unnamed.denoise = false;  // after the samples, which are the same
+  unnamed.stop = {};
   for (Instance& instance : unnamed.instances) instance.mesh_file.clear();
   const std::string text = to_toml(unnamed);
   const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());

@@ -26,6 +26,8 @@ struct SceneOptions {
   /// Loads the scene (TOML, or a bare OBJ), applies the overrides, validates. Throws Error(usage) or
   /// Error(scene).
   Scene load() const;
+  /// Throws Error(usage) for the first flag that no effect of the scene reads.
+  void check_applicable(const Scene& loaded) const;
 };
 
 /// Throws Error(output) if `output` is the scene file or one of its meshes: a slip of the hand that would
@@ -44,7 +46,7 @@ struct DeviceOptions {
 /// The scene as TOML, every key with its value: what --print-config prints and the scene hash covers.
 std::string to_toml(const Scene& scene);
 
-/// 128 bits over to_toml() less the file names. 32 hexadecimal digits.
+/// 128 bits over to_toml() less the file names and how long to render. 32 hexadecimal digits.
 std::string scene_hash(const Scene& scene);
 
 }  // namespace nook

@@ -12,6 +12,7 @@
 #include "film/exr.hpp"
 #include "film/png.hpp"
 #include "mesh/mesh_analysis.hpp"
+#include "render/picture.hpp"
 #include "render/scene_mesh.hpp"
 
 namespace nook {
@@ -47,6 +48,7 @@ int render_ssao(const Scene& scene, const SsaoRun& run, std::optional<TriangleMe
 
   const Clock::time_point writing = Clock::now();
   image.metadata = record.metadata();
+  place_crop(image, record.plan);
   write_exr(run.output, image);
   if (run.png) write_png(std::filesystem::path(run.output).replace_extension(".png"), image);
   record.seconds.write = seconds_since(writing);

@@ -32,7 +32,7 @@ struct StudyOptions {
   bool gallery = true, quiet = false;
 };
 
-// The budget's parts; the rest is loading, building and slack.
+// The budget's parts. Loading and building come out of what the runs have.
 constexpr double reference_share = 0.18, gallery_share = 0.22, runs_share = 0.5;
 
 template <class T>
@@ -131,6 +131,9 @@ StudyFacts facts_of(const StudyOptions& options, const Scene& scene, const Study
            fmt::format("{}, distance {}{}", name_of(effect.kind), distance_text(study.effect()),
                        effect.kind == EffectKind::ro ? fmt::format(", exponent {}", effect.exponent) : "")},
           {"size", fmt::format("{}x{}", study.width(), study.height())},
+          {"screen-space radius", std::isinf(study.effect().max_distance) || effect.kind == EffectKind::ro
+                                      ? "no screen-space methods: the effect has no radius"
+                                      : distance_text(study.effect())},
           {"triangles", std::to_string(mesh.triangles.size())},
           {"device", device.name},
           {"driver", device.platform_name + " " + device.driver},
@@ -171,8 +174,10 @@ int study(const StudyOptions& options) {
   const std::vector<std::string> identity = {"scene",  "effect", "size",       "device",
                                              "driver", "nook",   "scene hash", "mesh hash"};
   if (!options.scene.size) {
+    StudyChoice counted = choice;
+    counted.predictions = counted.ssao = false;
     size = size_of(scene, std::max(2000.0, rate * options.budget * runs_share /
-                                               samples_per_pixel(pilot.methods(choice))));
+                                               samples_per_pixel(pilot.methods(counted))));
     if (fs::exists(json, code) && fs::exists(reference_file, code)) {
       const Image before = read_exr(reference_file);
       size = {before.width, before.height};
@@ -192,8 +197,9 @@ int study(const StudyOptions& options) {
           : given_reference(options.reference, size.first, size.second);
   say(fmt::format("reference: {}", reference.description));
 
-  Study made(at_size.methods(choice), std::move(reference),
-             {.seconds = runs_share * options.budget, .seed = scene.seed + 1});
+  Study made(
+      at_size.methods(choice), std::move(reference),
+      {.seconds = std::max(0.1, (1 - gallery_share) * options.budget - elapsed()), .seed = scene.seed + 1});
   made.resume(read_study_points(json, facts, identity));
   say(fmt::format("{} methods, {:.0f} % of their runs are there", made.methods().size(),
                   100 * made.progress()));
@@ -218,7 +224,7 @@ int study(const StudyOptions& options) {
 
   Gallery gallery;
   if (options.gallery) {
-    const double share = gallery_share * options.budget;
+    const double share = std::max(0.1, std::min(gallery_share * options.budget, options.budget - elapsed()));
     std::tie(gallery.width, gallery.height) =
         size_of(scene, std::clamp(rate * share / 1200, 2000.0, 480.0 * 360.0));
     const StudyScene picture(device, scene, mesh, bvh, gallery.width, gallery.height);

@@ -1,66 +1,36 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <chrono>
-#include <filesystem>
 #include <optional>
 
-#include "app/progress.hpp"
 #include "render/adaptive.hpp"
-#include "render/session.hpp"
-#include "report/run_record.hpp"
+#include "scene/scene.hpp"
 
 namespace nook {
 
-/// Ends of a render other than a number of samples: --error, --time and what goes with them.
+/// Ends of a render other than a number of samples: --error, --time and what goes with them. They override
+/// the scene's.
 struct TargetOptions {
-  std::optional<double> error, seconds;
-  ErrorTarget target;
+  std::optional<double> error, seconds, confidence;
+  std::optional<std::uint32_t> min_spp, max_spp;
   bool dry_run = false;
 
   void add_to(CLI::App& command);
-  bool any() const { return error || seconds; }
-  /// Throws Error(usage) for options that do not go together.
-  void check() const;
-  /// The target with the error asked for.
-  ErrorTarget error_target() const;
-  /// The plan to render by: the samples a pixel may have, and the sampler that a stop rule needs.
-  Plan plan_for(const Plan& plan) const;
+  /// What holds for a scene. `spp`: the flag was given; it replaces the scene's targets, and excludes those
+  /// of other flags. Throws Error(usage) for flags that do not go together.
+  StopTarget resolve(const Scene& scene, bool spp) const;
 };
 
-/// A moment to be finished by, and when to stop for it, given that at the end of each launch another is
-/// already under way.
-class Deadline {
- public:
-  using Clock = std::chrono::steady_clock;
-  /// seconds from `start`; none: never.
-  Deadline(Clock::time_point start, std::optional<double> seconds)
-      : start_(start), seconds_(seconds), last_(Clock::now()) {}
-  /// True when to stop now ends nearer to that moment than to go on. Call it after each launch.
-  bool reached();
+/// The target of the stop rules; `stop` has an error.
+ErrorTarget error_target(const StopTarget& stop);
 
- private:
-  Clock::time_point start_;
-  std::optional<double> seconds_;
-  Clock::time_point last_;
-  int launches_ = 0;
-};
+/// The plan to render by: the samples a pixel may have, and the sampler that a stop rule needs.
+Plan plan_until(const StopTarget& stop, const Plan& plan);
 
-/// The schedule of a render that ends by time: 1, 2, 4, ... samples of every pixel, so that the picture is
-/// even whenever it ends.
-Session::Schedule doublings();
-
-/// What a render that ended by time has reached, by the films' own variances.
-ErrorRecord error_of(std::span<const Film> films);
-
-/// Runs to the error or the deadline. Throws Error(interrupted).
-AdaptiveResult render_to_error(AdaptiveRender& render, const PathTracer& tracer, Deadline deadline,
-                               ProgressMode mode);
-
-/// Says what was reached. Returns the exit code: ExitCode::target if less was asked for.
-int announce_error(const ErrorRecord& error, bool quiet);
+/// The plan for print_forecast().
+Plan plan_to_forecast(const StopTarget& stop, const Plan& plan);
 
 /// Prints what errors of .05, .02, .01, .005 and the one asked for would take.
-void print_forecast(PathTracer& tracer, const Plan& plan, const TargetOptions& options);
+void print_forecast(PathTracer& tracer, const Plan& plan, const StopTarget& stop);
 
 }  // namespace nook

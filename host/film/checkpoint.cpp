@@ -30,9 +30,9 @@ struct Start {
   std::uint64_t header_checksum;
 };
 constexpr char magic[8] = {'n', 'o', 'o', 'k', 'p', 'a', 'r', 't'};
-constexpr std::uint32_t format_version = 1;
+constexpr std::uint32_t format_version = 2;
 constexpr std::uint32_t largest_header = 1u << 24;
-constexpr std::uint32_t most_extra_planes = 16;
+constexpr std::uint32_t most_extra_planes = 64;
 constexpr std::uint64_t bytes_a_pixel = 2 * sizeof(std::uint64_t) + 3 * sizeof(std::uint32_t);
 
 using Hash = std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)>;
@@ -80,7 +80,8 @@ nlohmann::json to_json(const FilmPart& part, const Extent& extent) {
   json["counts"] = {part.counts.camera_rays, part.counts.occlusion_rays, part.counts.rejected};
   json["render_seconds"] = part.render_seconds;
   for (const Film& film : part.films)
-    json["films"].push_back({film.sum_scale, film.square_scale, film.per_replicate, film.extra.size()});
+    json["films"].push_back(
+        {film.sum_scale, film.square_scale, film.per_replicate, film.extra.size(), film.kept.size()});
   json["first_pixel"] = extent.first;
   json["pixels"] = extent.count;
   json["held_boxes"] = part.held.size();
@@ -170,12 +171,14 @@ std::string from_json(const nlohmann::json& json, FilmPart& part, Extent& extent
   part.counts = {counts[0], counts[1], counts[2]};
   part.render_seconds = json.at("render_seconds").get<double>();
   for (const auto& film :
-       json.at("films").get<std::vector<std::tuple<float, float, std::uint32_t, std::uint32_t>>>()) {
+       json.at("films")
+           .get<std::vector<std::tuple<float, float, std::uint32_t, std::uint32_t, std::uint32_t>>>()) {
     Film& made = part.films.emplace_back();
-    std::uint32_t extra = 0;
-    std::tie(made.sum_scale, made.square_scale, made.per_replicate, extra) = film;
-    if (extra > most_extra_planes) return "a film's planes are too many";
+    std::uint32_t extra = 0, kept = 0;
+    std::tie(made.sum_scale, made.square_scale, made.per_replicate, extra, kept) = film;
+    if (extra > most_extra_planes || kept > most_extra_planes) return "a film's planes are too many";
     made.extra.resize(extra);
+    made.kept.resize(kept);
     made.width = width;
     made.height = height;
     if (!is_power_of_two(made.sum_scale) || !is_power_of_two(made.square_scale) || made.per_replicate == 0)
@@ -217,7 +220,8 @@ void write_film_part(const std::filesystem::path& path, const FilmPart& part) {
       writer.array(values->data() + extent.first, extent.count);
     for (const auto* values : {&film.replicates, &film.camera_samples, &film.hits})
       writer.array(values->data() + extent.first, extent.count);
-    for (const auto& values : film.extra) writer.array(values.data() + extent.first, extent.count);
+    for (const auto* planes : {&film.extra, &film.kept})
+      for (const auto& values : *planes) writer.array(values.data() + extent.first, extent.count);
   }
   for (const Channel& channel : part.surface) {
     const auto& values = std::get<std::vector<float>>(channel.values);
@@ -262,7 +266,7 @@ FilmPart read_checked(const std::filesystem::path& path) {
 
   const std::uint64_t pixels = part.films.front().pixels();
   std::uint64_t extra_planes = 0;
-  for (const Film& film : part.films) extra_planes += film.extra.size();
+  for (const Film& film : part.films) extra_planes += film.extra.size() + film.kept.size();
   const std::uint64_t expected =
       sizeof start + header.size() + (boxes[0] + boxes[1]) * sizeof(SampleBox) +
       (part.films.size() * bytes_a_pixel + extra_planes * sizeof(std::uint64_t)) * extent.count +
@@ -275,13 +279,16 @@ FilmPart read_checked(const std::filesystem::path& path) {
   part.planned.resize(boxes[1]);
   for (SampleBoxes* list : {&part.held, &part.planned}) reader.array(list->data(), list->size());
   for (Film& film : part.films) {
+    const std::size_t kept = film.kept.size();
     film = Film(film.width, film.height, film.sum_scale, film.square_scale, film.per_replicate,
                 film.extra.size());
+    film.kept.assign(kept, std::vector<std::uint64_t>(film.pixels()));
     for (auto* values : {&film.sum, &film.sum_square})
       reader.array(values->data() + extent.first, extent.count);
     for (auto* values : {&film.replicates, &film.camera_samples, &film.hits})
       reader.array(values->data() + extent.first, extent.count);
-    for (auto& values : film.extra) reader.array(values.data() + extent.first, extent.count);
+    for (auto* planes : {&film.extra, &film.kept})
+      for (auto& values : *planes) reader.array(values.data() + extent.first, extent.count);
   }
   for (Channel& channel : part.surface) {
     auto& values = std::get<std::vector<float>>(channel.values);
@@ -328,7 +335,8 @@ std::string difference(const FilmPart& a, const std::string& name_a, const FilmP
            a.films[e].sum_scale == b.films[e].sum_scale &&
            a.films[e].square_scale == b.films[e].square_scale &&
            a.films[e].per_replicate == b.films[e].per_replicate &&
-           a.films[e].extra.size() == b.films[e].extra.size();
+           a.films[e].extra.size() == b.films[e].extra.size() &&
+           a.films[e].kept.size() == b.films[e].kept.size();
   return same ? "" : fmt::format("{} and {} are not parts of one picture", name_a, name_b);
 }
 
@@ -336,6 +344,8 @@ void join_film_part(FilmPart& part, const std::string& name, const FilmPart& oth
                     const std::string& other_name) {
   if (const std::string why = difference(part, name, other, other_name); !why.empty())
     throw Error(ExitCode::scene, why);
+  if (!part.films.front().kept.empty())
+    throw Error(ExitCode::scene, fmt::format("{}: a render to an error cannot be joined with another", name));
   SampleBoxes both = part.held;
   both.insert(both.end(), other.held.begin(), other.held.end());
   std::optional<SampleBox> overlap;

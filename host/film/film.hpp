@@ -24,6 +24,9 @@ struct Film {
   /// What an effect sums besides, a plane each: for bent normals x, y and z of Σ w V ω in the fixed point of
   /// `sum`, two's complement.
   std::vector<std::vector<std::uint64_t>> extra;
+  /// What a stop rule remembers of each pixel, a plane each (render/session.hpp, render/pixel_rule.hpp); not
+  /// sums: films with such planes are not added.
+  std::vector<std::vector<std::uint64_t>> kept;
 
   Film() = default;
   /// Throws std::bad_alloc.
@@ -31,7 +34,7 @@ struct Film {
        std::size_t extra_planes = 0);
 
   std::size_t pixels() const { return std::size_t(width) * std::size_t(height); }
-  /// Adds the samples of a film of the same size and scales.
+  /// Adds the samples of a film of the same size and scales, without planes of a stop rule.
   void add(const Film& other);
   /// The estimate, 0 without samples.
   double value(std::size_t pixel) const;

@@ -1,6 +1,7 @@
 #include "render/adaptive.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "render/picture.hpp"
@@ -8,233 +9,223 @@
 namespace nook {
 namespace {
 
-constexpr std::uint32_t pilot_samples = 64;
-constexpr std::uint32_t never = 0xffffffffu;
+constexpr std::uint32_t randomisations = 8, first_of_each = 16;
+// Counts need at most 1/4 error^-2 samples, the randomisations at least 128, from a net of 16 each.
+constexpr double counts_from_error = 0.03;
 
-// The sums of one pixel's replicates, as numbers.
-SampleSums sums_of(const Film& film, std::size_t i) {
-  const double scale = double(film.sum_scale) * film.per_replicate;
-  return {double(film.sum[i]) / scale, double(film.sum_square[i]) / film.square_scale,
-          double(film.replicates[i])};
+bool all_counts(const Plan& plan) {
+  return std::all_of(plan.effects.begin(), plan.effects.end(),
+                     [&](const EffectPlan& effect) { return samples_are_counts(effect, plan.directions); });
 }
 
-SampleSums operator-(const SampleSums& a, const SampleSums& b) {
-  return {a.sum - b.sum, a.sum_square - b.sum_square, a.count - b.count};
+ErrorTarget target_with_pilot(const Plan& plan, ErrorTarget target) {
+  if (plan.sampler == Sampler::independent && !all_counts(plan))
+    target.min_spp = std::max(target.min_spp, pilot_samples);
+  return target;
+}
+
+std::vector<std::unique_ptr<PixelRule>> rules_of(const Plan& plan, const ErrorTarget& target,
+                                                 const Randomisations& sequence) {
+  std::vector<std::unique_ptr<PixelRule>> rules;
+  for (const EffectPlan& effect : plan.effects)
+    rules.push_back(sequence.count > 1 ? replicate_rule(effect, sequence, target)
+                                       : independent_rule(effect, plan, target));
+  return rules;
+}
+
+std::size_t most_planes(const std::vector<std::unique_ptr<PixelRule>>& rules) {
+  std::size_t planes = 0;
+  for (const auto& rule : rules) planes = std::max(planes, rule->planes());
+  return planes;
 }
 
 }  // namespace
 
-// What is known of one effect.
-struct AdaptiveRender::EffectState {
-  double bound = 1;                    // the largest sample
-  std::optional<CountRule> counts;     // samples are 0 or 1
-  std::vector<SampleSums> pilot;       // otherwise: by film index
-  std::vector<std::uint32_t> planned;  // otherwise: camera samples to take, pilot included
-  // The sums when the pixel stopped: further samples for another effect's sake do not count.
-  std::vector<SampleSums> stopped;
-  std::vector<std::uint32_t> samples_at_stop;  // camera samples, `never` while going on
-};
+Randomisations randomisations_of(const Plan& plan, const ErrorTarget& target) {
+  if (plan.sampler == Sampler::independent) return {};
+  Randomisations made{randomisations, {}};
+  const std::uint32_t most = std::max(1u, target.max_spp / randomisations),
+                      least =
+                          (std::min(target.min_spp, target.max_spp) + randomisations - 1) / randomisations;
+  for (std::uint32_t n = first_of_each; n < most; n += std::max(first_of_each, std::bit_floor(n) / 2))
+    if (n >= least) made.stages.push_back(n);
+  made.stages.push_back(most);
+  return made;
+}
 
-bool samples_are_counts(const EffectPlan& effect, std::uint32_t directions) {
-  return effect.effect.kind == EffectKind::ao && effect.effect.sampling == Sampling::cosine &&
-         effect.effect.falloff == Falloff::none && directions == 1;
+bool AdaptiveRender::can_use(Sampler sampler) {
+  return sampler == Sampler::independent || sampler == Sampler::sobol || sampler == Sampler::halton;
 }
 
 Plan AdaptiveRender::plan_for(Plan plan, const ErrorTarget& target) {
-  plan.sampler = Sampler::independent;
-  plan.spp = std::max(2u, target.max_spp);
   plan.replicate_directions = false;
+  if (all_counts(plan) && target.error >= counts_from_error) plan.sampler = Sampler::independent;
+  plan.spp = std::max(2u, target.max_spp);
+  if (plan.sampler != Sampler::independent)
+    plan.spp = std::max(2u, randomisations * randomisations_of(plan, target).stages.back());
   return plan;
 }
 
-AdaptiveRender::AdaptiveRender(PathTracer& tracer, const Plan& plan, const ErrorTarget& target)
-    : tracer_(tracer),
-      plan_(plan),
-      target_(target),
-      z_(target.z()),
-      order_(pixels_in_order(plan.window, plan.width)),
-      films_(tracer.make_films()) {
-  for (const std::uint32_t pixel : order_) place_.push_back(plan_.film_index(pixel));
-  const bool all_counts =
-      std::all_of(plan_.effects.begin(), plan_.effects.end(),
-                  [&](const EffectPlan& effect) { return samples_are_counts(effect, plan_.directions); });
-  if (!all_counts) target_.min_spp = std::max(target_.min_spp, pilot_samples);
-  for (const EffectPlan& effect : plan_.effects) {
-    EffectState& state = effects_.emplace_back();
-    state.bound = effect.weight_bound;
-    if (samples_are_counts(effect, plan_.directions)) state.counts.emplace(target_);
-    state.stopped.resize(order_.size());
-    state.samples_at_stop.assign(order_.size(), never);
-  }
-  background_.resize(order_.size());
+AdaptiveRender::AdaptiveRender(PathTracer& tracer, const Plan& plan, const ErrorTarget& target,
+                               FilmPart::Texts identity)
+    : plan_(plan),
+      target_(target_with_pilot(plan, target)),
+      randomisations_(randomisations_of(plan, target_)),
+      rules_(rules_of(plan, target_, randomisations_)),
+      session_(tracer, plan, std::move(identity), randomisations_, most_planes(rules_)) {
+  if (randomisations_.count == 1)
+    stages_ = checkpoints(target_.min_spp, target_.max_spp);
+  else
+    for (const std::uint32_t n : randomisations_.stages) stages_.push_back(n * randomisations_.count);
 }
-
-AdaptiveRender::~AdaptiveRender() = default;
 
 // Pixels without a hit so far, surrounded by such.
 void AdaptiveRender::finish_background() {
-  const int width = plan_.window.width(), height = plan_.window.height();
+  const Film& film = session_.films().front();
   const auto empty = [&](int x, int y) {
-    return x < 0 || y < 0 || x >= width || y >= height ||
-           films_.front().hits[std::size_t(y) * std::size_t(width) + std::size_t(x)] == 0;
+    return x < 0 || y < 0 || x >= film.width || y >= film.height ||
+           film.hits[std::size_t(y) * std::size_t(film.width) + std::size_t(x)] == 0;
   };
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
+  for (int y = 0; y < film.height; ++y)
+    for (int x = 0; x < film.width; ++x) {
       bool all = true;
       for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx) all = all && empty(x + dx, y + dy);
       if (!all) continue;
-      const std::size_t i = std::size_t(y) * std::size_t(width) + std::size_t(x);
-      background_[i] = 1;
-      for (EffectState& effect : effects_) effect.samples_at_stop[i] = films_.front().camera_samples[i];
+      for (std::size_t e = 0; e < rules_.size(); ++e)
+        rules_[e]->mark_background(session_.films()[e],
+                                   std::size_t(y) * std::size_t(film.width) + std::size_t(x));
     }
 }
 
-// After the pilot: how many samples each pixel gets. The variance is the pixel's own or the mean over its 3x3
-// neighbourhood, whichever is larger: 64 samples often show too little of it.
-void AdaptiveRender::plan_samples(EffectState& effect) {
-  const Film& film = films_[std::size_t(&effect - effects_.data())];
-  const int width = plan_.window.width(), height = plan_.window.height();
-  effect.pilot.resize(film.pixels());
-  effect.planned.resize(film.pixels());
-  for (std::size_t i = 0; i < film.pixels(); ++i) effect.pilot[i] = sums_of(film, i);
-  const auto needed = [&](const SampleSums& s) {
-    return samples_needed(s.mean(), s.sum_square / s.count, effect.bound, target_.error, z_);
-  };
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      SampleSums around;
-      for (int v = std::max(0, y - 1); v <= std::min(height - 1, y + 1); ++v)
-        for (int u = std::max(0, x - 1); u <= std::min(width - 1, x + 1); ++u) {
-          const SampleSums& s = effect.pilot[std::size_t(v) * std::size_t(width) + std::size_t(u)];
-          around = {around.sum + s.sum, around.sum_square + s.sum_square, around.count + s.count};
-        }
-      const std::size_t i = std::size_t(y) * std::size_t(width) + std::size_t(x);
-      const double n = std::max(needed(effect.pilot[i]), needed(around));
-      effect.planned[i] = std::uint32_t(std::min(std::ceil(n) + target_.min_spp, double(never - 1)));
-    }
+bool AdaptiveRender::done(std::size_t pixel) const {
+  for (std::size_t e = 0; e < rules_.size(); ++e)
+    if (!rules_[e]->done(session_.films()[e], pixel)) return false;
+  return true;
 }
 
-void AdaptiveRender::mark_done(EffectState& effect, std::uint32_t stage) {
-  const Film& film = films_[std::size_t(&effect - effects_.data())];
-  for (std::size_t i = 0; i < film.pixels(); ++i) {
-    if (effect.samples_at_stop[i] != never || film.camera_samples[i] < stage) continue;
-    const SampleSums sums = sums_of(film, i);
-    const bool done = effect.counts ? effect.counts->done(stage, std::uint32_t(std::lround(sums.sum)))
-                                    : stage >= effect.planned[i];
-    if (!done) continue;
-    effect.samples_at_stop[i] = stage;
-    effect.stopped[i] = sums;
+// The schedule: depends on films and constants alone.
+SampleBoxes AdaptiveRender::next() {
+  std::vector<Film>& films = session_.films();
+  const auto& taken_by = films.front().camera_samples;
+  const std::uint32_t taken = *std::max_element(taken_by.begin(), taken_by.end());
+  if (taken > 0) {
+    if (taken == stages_.front()) finish_background();
+    for (std::size_t e = 0; e < rules_.size(); ++e) rules_[e]->look(films[e], taken);
+    measure_progress();
   }
+  const auto stage = std::upper_bound(stages_.begin(), stages_.end(), taken);
+  if (stage == stages_.end()) return {};
+  SampleBoxes boxes;
+  for (std::uint32_t p = 0; p < session_.order().size(); ++p) {
+    if (done(session_.film_index(p))) continue;
+    if (!boxes.empty() && boxes.back().pixel_end == p)
+      ++boxes.back().pixel_end;
+    else
+      boxes.push_back({p, p + 1, taken, *stage});
+  }
+  return boxes;
 }
 
-double AdaptiveRender::samples_left() const {
-  double left = 0;
-  for (std::size_t i = 0; i < order_.size(); ++i) {
+void AdaptiveRender::measure_progress() {
+  const std::vector<Film>& films = session_.films();
+  double square = 0, seen = 0;
+  std::size_t open = 0;
+  now_.samples_left = 0;
+  for (std::size_t i = 0; i < films.front().pixels(); ++i) {
+    open += !done(i);
     double most = 0;
-    for (std::size_t e = 0; e < effects_.size(); ++e) {
-      const EffectState& effect = effects_[e];
-      if (effect.samples_at_stop[i] != never) continue;
-      const SampleSums s = sums_of(films_[e], i);
-      const double total = effect.counts ? samples_needed(s.mean(), s.mean(), 1, target_.error, z_)
-                                         : double(effect.planned[i]);
-      most = std::max(most, std::min(total, double(target_.max_spp)) - s.count);
+    for (std::size_t e = 0; e < rules_.size(); ++e) {
+      if (rules_[e]->background(films[e], i)) continue;
+      const double error = rules_[e]->estimate(films[e], i).half_width / target_.z();
+      square += error * error;
+      seen += 1;
+      if (!rules_[e]->done(films[e], i))
+        most = std::max(most, std::min(rules_[e]->samples_needed(films[e], i), double(stages_.back())) -
+                                  films[e].camera_samples[i]);
     }
-    left += most;
+    now_.samples_left += most;
   }
-  return left;
+  now_.share_done = 1 - double(open) / double(films.front().pixels());
+  now_.error = seen > 0 ? std::sqrt(square / seen) : 0;
 }
 
 AdaptiveResult AdaptiveRender::run(const Progress& progress) {
-  AdaptiveProgress now;
-  bool stop = false;
-  std::uint32_t taken = 0;
-  std::vector<std::uint32_t> active = order_;
-  for (const std::uint32_t stage : checkpoints(target_.min_spp, target_.max_spp)) {
-    const std::uint64_t before = now.samples_done;
-    const double left_before = now.samples_left;
-    std::uint64_t samples = 0;
-    const bool complete =
-        tracer_.accumulate(active, {taken, stage - taken}, films_, [&](std::span<const Finished> finished) {
-          for (const Finished& part : finished) samples += (part.end - part.begin) * part.range.count;
-          now.samples_done = before + samples;
-          now.samples_left = std::max(0.0, left_before - double(samples));
-          return !(stop = stop || (progress && !progress(now)));
-        });
-    stop = stop || !complete;
-    if (stop && taken == 0) break;  // no pixel has what a decision needs
-    if (taken == 0) {
-      finish_background();
-      for (EffectState& effect : effects_)
-        if (!effect.counts) plan_samples(effect);
-    }
-    taken = stage;
-    for (EffectState& effect : effects_) mark_done(effect, stage);
-    active.clear();
-    for (std::size_t p = 0; p < order_.size(); ++p)
-      if (std::any_of(effects_.begin(), effects_.end(),
-                      [&](const EffectState& e) { return e.samples_at_stop[place_[p]] == never; }))
-        active.push_back(order_[p]);
-    now.share_done = 1 - double(active.size()) / double(order_.size());
-    now.samples_left = samples_left();
-    if (stop || active.empty() || (progress && !progress(now))) {
-      stop = stop || !active.empty();
-      break;
-    }
-  }
+  std::uint64_t at_stage = session_.samples_held();
+  double left_at_stage = 0;
+  const bool finished = session_.run(
+      [&](const Session& session) {
+        SampleBoxes boxes = next();
+        at_stage = session.samples_held();
+        left_at_stage = now_.samples_left;
+        return boxes;
+      },
+      [&] {
+        now_.samples_done = session_.samples_held();
+        now_.samples_left = std::max(0.0, left_at_stage - double(now_.samples_done - at_stage));
+        return !progress || progress(now_);
+      });
   AdaptiveResult made = result();
-  made.stopped_early = stop;
+  made.stopped_early = !finished;
   return made;
 }
 
-AdaptiveResult AdaptiveRender::result() const {
+AdaptiveResult AdaptiveRender::result() {
   AdaptiveResult made;
   made.error_asked = target_.error;
-  double square = 0, covered = 0;
+  double square = 0, seen = 0;
   std::size_t open = 0;
-  for (std::size_t e = 0; e < effects_.size(); ++e) {
-    const EffectState& effect = effects_[e];
-    const Film& film = films_[e];
+  for (std::size_t e = 0; e < rules_.size(); ++e) {
+    PixelRule& rule = *rules_[e];
+    const Film& film = session_.films()[e];
+    rule.prepare(film);
     PixelEstimates& out = made.effects.emplace_back();
     for (std::size_t i = 0; i < film.pixels(); ++i) {
-      const bool done = effect.samples_at_stop[i] != never;
-      open += !done;
-      const std::uint32_t n = done ? effect.samples_at_stop[i] : film.camera_samples[i];
-      SampleSums sums = done ? effect.stopped[i] : sums_of(film, i);
-      if (!effect.pilot.empty() && !background_[i] && sums.count > effect.pilot[i].count)
-        sums = sums - effect.pilot[i];
-      const double half = background_[i] ? 0 : score_interval(sums, effect.bound, z_).half_width();
-      const double value = background_[i]  ? 0
-                           : effect.counts ? effect.counts->estimate(n, std::uint32_t(std::lround(sums.sum)))
-                                           : sums.mean();
-      const double variance = (half / z_) * (half / z_);
-      out.value.push_back(float(value));
-      out.variance.push_back(float(variance));
-      out.samples.push_back(n * plan_.directions);
-      if (background_[i]) continue;
-      square += variance;
-      covered += 1;
-      made.error_worst = std::max(made.error_worst, std::sqrt(variance));
+      open += !rule.done(film, i);
+      PixelEstimate pixel;
+      if (rule.background(film, i))
+        pixel.samples = film.camera_samples[i];
+      else if (film.camera_samples[i] > 0)
+        pixel = rule.estimate(film, i);
+      else
+        pixel.half_width = 0.5;  // nothing is known
+      const double error = pixel.half_width / target_.z();
+      out.value.push_back(float(pixel.value));
+      out.variance.push_back(float(error * error));
+      out.samples.push_back(pixel.samples * plan_.directions);
+      if (rule.background(film, i)) continue;
+      square += error * error;
+      seen += 1;
+      made.error_worst = std::max(made.error_worst, error);
     }
   }
-  made.error_reached = covered > 0 ? std::sqrt(square / covered) : 0;
-  made.share_done = 1 - double(open) / double(std::max<std::size_t>(1, effects_.size() * order_.size()));
+  made.error_reached = seen > 0 ? std::sqrt(square / seen) : 0;
+  made.share_done =
+      1 - double(open) / double(std::max<std::size_t>(1, rules_.size() * session_.order().size()));
   return made;
 }
 
-Image AdaptiveRender::picture(FilmPart part, const AdaptiveResult& result) const {
-  part.films = films_;
+Image AdaptiveRender::picture(const FilmPart& part, const AdaptiveResult& result) const {
   Image image = make_picture(part);
+  bool main_values = false;
   for (std::size_t e = 0; e < result.effects.size(); ++e) {
+    const PixelEstimates& made = result.effects[e];
     const std::string& layer = part.layers[e];
+    const bool bent = plan_.effects[e].effect.kind == EffectKind::bent;
     const std::string of_effect = layer.empty() ? "AO." : layer;
+    main_values = main_values || (layer.empty() && !bent);
     for (Channel& channel : image.channels) {
-      if (channel.name == layer + "R" || channel.name == layer + "G" || channel.name == layer + "B")
-        channel.values = result.effects[e].value;
-      if (channel.name == of_effect + "variance") channel.values = result.effects[e].variance;
-      if (channel.name == of_effect + "samples") channel.values = result.effects[e].samples;
+      if (bent ? channel.name == layer + "AO"
+               : channel.name == layer + "R" || channel.name == layer + "G" || channel.name == layer + "B")
+        channel.values = made.value;
+      if (channel.name == of_effect + "variance") channel.values = made.variance;
+      if (channel.name == of_effect + "samples") channel.values = made.samples;
     }
   }
+  // R, G, B repeat the first three channels then (make_picture()).
+  for (std::size_t i = 0; i < 3 && !main_values; ++i)
+    for (Channel& channel : image.channels)
+      if (channel.name == std::string(1, "RGB"[i])) channel.values = image.channels[i].values;
   return image;
 }
 

@@ -1,13 +1,14 @@
 #pragma once
 
 #include <functional>
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include "film/film_part.hpp"
 #include "film/image.hpp"
 #include "render/path_tracer.hpp"
-#include "render/stop_rule.hpp"
+#include "render/pixel_rule.hpp"
+#include "render/session.hpp"
 
 namespace nook {
 
@@ -19,8 +20,9 @@ struct PixelEstimates {
 };
 
 struct AdaptiveProgress {
-  double share_done = 0;           ///< of the pixels
-  double samples_left = 0;         ///< camera samples that the rest will need, an estimate
+  double share_done = 0;    ///< of the pixels
+  double error = 0;         ///< root mean square of the standard errors; 0 before the first stage ended
+  double samples_left = 0;  ///< camera samples that the rest will need, an estimate
   std::uint64_t samples_done = 0;  ///< camera samples so far
 };
 
@@ -34,55 +36,56 @@ struct AdaptiveResult {
   bool met() const { return share_done >= 1 && error_reached <= error_asked; }
 };
 
+/// The randomisations of a render to an error: 8, with 16, 32, 48, 64, 96, ... samples each (powers of two
+/// and their middles); one for independent samples. plan: AdaptiveRender::plan_for's.
+Randomisations randomisations_of(const Plan& plan, const ErrorTarget& target);
+
 /// Renders until every pixel has the error asked for, each with as many samples as it needs.
 ///
-/// - Samples that are 0 or 1 (AO, cosine, one direction a camera ray) follow CountRule: sequential and
-/// unbiased.
-/// - All others take a pilot of 64 camera samples, which decides how many more the pixel gets (Stein 1945, "A
-/// two-sample test..."); the
-///   estimate is the mean of these alone and so has no bias from the decision. The variance is pooled with
-///   the 8 neighbours'.
-/// - A pixel whose first samples, and its neighbours', all miss the mesh is done at once.
+/// With independent samples: counts (AO, cosine) sequentially, all others with a pilot (independent_rule()).
+/// With randomised point sequences (Sobol', Halton): by the spread of 8 randomisations (replicate_rule()),
+/// which is cheaper where the sequence is better than independent samples and the error asked is not reached
+/// by its first stage already. A pixel whose first samples, and its neighbours', all miss the mesh is done at
+/// once.
 ///
-/// Same plan, target and tracer: same bits, unless stopped by `progress`.
+/// Same plan, target and tracer: same bits, also of a render that was stopped and resumed.
 class AdaptiveRender {
  public:
-  /// The plan a tracer needs for this: independent samples (anything else correlates the samples that the
-  /// rules count), max_spp.
+  /// The plan a tracer needs for this: the point sequence that the rules work with (independent samples where
+  /// they are as cheap), the most samples. The sampler must be independent, sobol or halton.
   static Plan plan_for(Plan plan, const ErrorTarget& target);
+  /// Whether a render to an error can use it.
+  static bool can_use(Sampler sampler);
 
-  /// tracer: made with `plan`, which is plan_for(...)'s; both must outlive this.
-  AdaptiveRender(PathTracer& tracer, const Plan& plan, const ErrorTarget& target);
-  ~AdaptiveRender();
+  /// tracer: made with `plan`, which is plan_for(...)'s; both must outlive this. identity: for the session.
+  AdaptiveRender(PathTracer& tracer, const Plan& plan, const ErrorTarget& target,
+                 FilmPart::Texts identity = {});
 
-  /// Called now and then; false stops.
+  /// What is to be kept or resumed; before run() if at all.
+  Session& session() { return session_; }
+
+  /// Called after each launch; false stops.
   using Progress = std::function<bool(const AdaptiveProgress&)>;
   AdaptiveResult run(const Progress& progress = nullptr);
 
   /// The image of run()'s result. part: its layers, aovs and surface channels decide which channels there
   /// are.
-  Image picture(FilmPart part, const AdaptiveResult& result) const;
+  Image picture(const FilmPart& part, const AdaptiveResult& result) const;
 
  private:
-  struct EffectState;
+  SampleBoxes next();
   void finish_background();
-  void plan_samples(EffectState& effect);
-  void mark_done(EffectState& effect, std::uint32_t stage);
-  double samples_left() const;
-  AdaptiveResult result() const;
+  bool done(std::size_t pixel) const;
+  void measure_progress();
+  AdaptiveResult result();
 
-  PathTracer& tracer_;
   const Plan& plan_;
   ErrorTarget target_;
-  double z_;
-  std::vector<std::uint32_t> order_;  // pixels, y * width + x, in launching order
-  std::vector<std::size_t> place_;    // index in the films of each of order_
-  std::vector<Film> films_;
-  std::vector<EffectState> effects_;
-  std::vector<std::uint8_t> background_;  // by film index
+  Randomisations randomisations_;
+  std::vector<std::unique_ptr<PixelRule>> rules_;  // by effect
+  std::vector<std::uint32_t> stages_;              // camera samples of a pixel after each stage
+  Session session_;
+  AdaptiveProgress now_;
 };
-
-/// Whether every sample of the effect is 0 or 1.
-bool samples_are_counts(const EffectPlan& effect, std::uint32_t directions);
 
 }  // namespace nook

@@ -36,7 +36,7 @@ bool PathTracer::accumulate(std::span<const std::uint32_t> pixels, SampleRange r
     const std::uint64_t rays_of_task = std::uint64_t(batch.samples) * batch.directions;
     std::uint64_t room = std::max<std::uint64_t>(
         {1, device_.info().compute_units,
-         std::min(points_per_launch / batch.samples, rays_per_launch / rays_of_task)});
+         std::min(points_per_launch / batch.samples, rays_per_launch_ / rays_of_task)});
     while (room > 0 && first < end && samples_here() == samples &&
            first_directions_here() == batch.first_directions) {
       const std::size_t stop = std::min(pixels.size(), pixel + std::size_t(room));
@@ -78,7 +78,7 @@ std::vector<Film> PathTracer::estimate_all(std::span<const SurfacePoint> points,
     batch.total_directions = directions;
     batch.first_directions = direction == 0;
     // Tasks of several direction chunks share a launch, so that a single point keeps every thread busy.
-    const std::uint64_t room = std::max<std::uint64_t>(64, rays_per_launch / batch.directions);
+    const std::uint64_t room = std::max<std::uint64_t>(64, rays_per_launch_ / batch.directions);
     while (batch.tasks.size() < room && direction < directions &&
            std::min(directions_per_task, directions - direction) == batch.directions &&
            (direction == 0) == batch.first_directions) {

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "render/replicated_pilot.hpp"
+
 namespace nook {
 namespace {
 
@@ -14,14 +16,17 @@ constexpr std::uint32_t samples_a_pass = 64;
 // pilot are on the safe side.
 constexpr double counts_surplus = 1.06, planned_surplus = 1.12;
 
-std::vector<std::uint32_t> spread_runs(const std::vector<std::uint32_t>& order, std::size_t wanted) {
-  const std::size_t runs = std::max<std::size_t>(1, order.size() / run_length);
+// Positions of so many pixels, or all.
+std::vector<std::uint32_t> spread_runs(std::size_t pixels, std::size_t wanted) {
+  const std::size_t runs = std::max<std::size_t>(1, pixels / run_length);
   const std::size_t step = std::max<std::size_t>(1, runs * run_length / std::max<std::size_t>(wanted, 1));
   std::vector<std::uint32_t> chosen;
   for (std::size_t run = step / 2; run < runs; run += step)
-    for (std::size_t i = run * run_length; i < std::min(order.size(), (run + 1) * run_length); ++i)
-      chosen.push_back(order[i]);
-  return chosen.empty() ? order : chosen;
+    for (std::size_t i = run * run_length; i < std::min(pixels, (run + 1) * run_length); ++i)
+      chosen.push_back(std::uint32_t(i));
+  if (chosen.empty())
+    for (std::size_t i = 0; i < pixels; ++i) chosen.push_back(std::uint32_t(i));
+  return chosen;
 }
 
 }  // namespace
@@ -34,8 +39,21 @@ Forecast forecast(PathTracer& tracer, const Plan& plan, const ErrorTarget& targe
   };
   const Clock::time_point start = Clock::now();
   const std::vector<std::uint32_t> order = pixels_in_order(plan.window, plan.width);
-  const std::vector<std::uint32_t> pixels =
-      spread_runs(order, std::max<std::size_t>(8192, order.size() / 32));
+  std::vector<std::uint32_t> pixels =
+      spread_runs(order.size(), std::max<std::size_t>(8192, order.size() / 32));
+  if (plan.sampler != Sampler::independent) {
+    Forecast made;
+    ReplicatedPilot pilot(tracer, plan, target, std::move(pixels));
+    made.samples_per_second = pilot.run([&] { return since(start) < seconds; });
+    for (const double error : errors) {
+      const bool counts = AdaptiveRender::plan_for(plan, {.error = error}).sampler == Sampler::independent;
+      const double spp = counts ? counts_surplus * pilot.samples_as_counts(error) : pilot.samples_for(error);
+      made.rows.push_back({error, spp, spp * double(order.size()) / made.samples_per_second});
+    }
+    made.pilot_seconds = since(start);
+    return made;
+  }
+  for (std::uint32_t& pixel : pixels) pixel = order[pixel];
   std::vector<Film> films = tracer.make_films();
   // The first launches load code and fill caches: they count as samples, not as speed.
   std::uint32_t taken = 16;

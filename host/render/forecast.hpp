@@ -22,7 +22,7 @@ struct Forecast {
 
 /// Predicts AdaptiveRender from a pilot on every so-manieth run of 64 neighbouring pixels, which takes about
 /// `seconds`: the samples each needs follow from its mean and variance, the time from the rate. tracer and
-/// plan as for AdaptiveRender.
+/// plan as for AdaptiveRender with the least of the errors.
 Forecast forecast(PathTracer& tracer, const Plan& plan, const ErrorTarget& target,
                   std::span<const double> errors, double seconds);
 

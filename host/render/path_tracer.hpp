@@ -77,6 +77,11 @@ class PathTracer {
     plan_.seed = seed;
   }
 
+  /// Rays of a launch, at most: the fewer, the more often progress is called. A launch far smaller than
+  /// most_rays_per_launch costs a device more than its rays. Counts from the next launch on.
+  void limit_launches(std::uint64_t rays) { rays_per_launch_ = rays; }
+  static constexpr std::uint64_t most_rays_per_launch = 1u << 22;
+
   /// Empty films of the plan's window, one per effect.
   std::vector<Film> make_films() const;
 
@@ -153,6 +158,7 @@ class PathTracer {
   std::vector<ClKernel> effects_;
   RenderCounters counters_;
   double build_seconds_ = 0;
+  std::uint64_t rays_per_launch_ = most_rays_per_launch;
   bool all_from_cache_ = true;
 };
 

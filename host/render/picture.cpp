@@ -1,6 +1,7 @@
 #include "render/picture.hpp"
 
 #include <array>
+#include <cstdio>
 #include <limits>
 
 #include "base/error.hpp"
@@ -122,6 +123,34 @@ Image make_picture(const FilmPart& part) {
     }
   image.metadata = {part.metadata.begin(), part.metadata.end()};
   return image;
+}
+
+namespace {
+
+void place(Image& image, int x0, int y0, int full_width, int full_height) {
+  if (image.width == full_width && image.height == full_height) return;
+  image.x0 = x0;
+  image.y0 = y0;
+  image.full_width = full_width;
+  image.full_height = full_height;
+}
+
+}  // namespace
+
+void place_crop(Image& image, const Plan& plan) {
+  place(image, plan.window.x0, plan.window.y0, plan.width, plan.height);
+}
+
+void place_crop(Image& image, const FilmPart::Texts& identity) {
+  int x0 = 0, x1 = 0, y0 = 0, y1 = 0, width = image.width, height = image.height;
+  for (const auto& [name, text] : identity) {
+    if (name == "size") std::sscanf(text.c_str(), "%dx%d", &width, &height);
+    if (name == "crop") std::sscanf(text.c_str(), "%d,%d,%d,%d", &x0, &x1, &y0, &y1);
+  }
+  // A damaged part may say anything.
+  if (x0 < 0 || y0 < 0 || x1 - x0 != image.width || y1 - y0 != image.height || x1 > width || y1 > height)
+    return;
+  place(image, x0, y0, width, height);
 }
 
 }  // namespace nook

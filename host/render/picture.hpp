@@ -39,4 +39,9 @@ std::vector<Channel> surface_channels(const Plan& plan, const AovRequest& aovs,
 /// their layers, the AOVs that the part names.
 Image make_picture(const FilmPart& part);
 
+/// Says where in the whole image a picture of the plan's window lies.
+void place_crop(Image& image, const Plan& plan);
+/// The same by a part's identity (film_identity()).
+void place_crop(Image& image, const FilmPart::Texts& identity);
+
 }  // namespace nook

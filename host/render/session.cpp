@@ -32,6 +32,50 @@ std::vector<std::uint32_t> positions_of(const SampleBoxes& boxes) {
 
 }  // namespace
 
+std::vector<Randomisations::Piece> Randomisations::pieces(SampleRange range) const {
+  if (count == 1) return {{0, range.first, range}};
+  std::vector<Piece> made;
+  const std::uint64_t end = std::uint64_t(range.first) + range.count;
+  std::uint64_t stage_first = 0;  // in the session's numbering
+  std::uint32_t before = 0;
+  for (const std::uint32_t stage : stages) {
+    const std::uint32_t size = stage - before;
+    for (std::uint32_t r = 0; r < count; ++r, stage_first += size) {
+      const std::uint64_t from = std::max<std::uint64_t>(range.first, stage_first),
+                          to = std::min(end, stage_first + size);
+      if (from < to)
+        made.push_back(
+            {r, std::uint32_t(from), {before + std::uint32_t(from - stage_first), std::uint32_t(to - from)}});
+    }
+    before = stage;
+  }
+  return made;
+}
+
+std::uint32_t Randomisations::samples_of(std::uint32_t r, std::uint32_t n) const {
+  if (count == 1) return n;
+  std::uint64_t stage_first = 0;
+  std::uint32_t before = 0;
+  for (const std::uint32_t stage : stages) {
+    const std::uint64_t size = stage - before, next = stage_first + size * count;
+    if (n < next) {
+      const std::uint64_t first = stage_first + r * size;
+      return before + std::uint32_t(n > first ? std::min<std::uint64_t>(n - first, size) : 0);
+    }
+    stage_first = next;
+    before = stage;
+  }
+  return before;
+}
+
+// A hash (Steele, Lea and Flood 2014, splitmix64): neighbouring seeds share no randomisation.
+std::uint32_t Randomisations::seed_of(std::uint32_t seed, std::uint32_t r) {
+  std::uint64_t x = (std::uint64_t(seed) << 32 | r) + 0x9e3779b97f4a7c15ull;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
+  return std::uint32_t((x ^ (x >> 31)) >> 32);
+}
+
 FilmPart::Texts film_identity(const Plan& plan, const DeviceInfo& device, const std::string& scene_hash,
                               const std::string& mesh_hash, const FilmPart::Texts& extra) {
   FilmPart::Texts identity;
@@ -60,12 +104,18 @@ FilmPart::Texts film_identity(const Plan& plan, const DeviceInfo& device, const 
   return identity;
 }
 
-Session::Session(PathTracer& tracer, const Plan& plan, FilmPart::Texts identity)
-    : tracer_(tracer), plan_(plan), order_(pixels_in_order(plan.window, plan.width)) {
+Session::Session(PathTracer& tracer, const Plan& plan, FilmPart::Texts identity,
+                 Randomisations randomisations, std::size_t rule_planes)
+    : tracer_(tracer),
+      plan_(plan),
+      randomisations_(std::move(randomisations)),
+      order_(pixels_in_order(plan.window, plan.width)) {
   part_.identity = std::move(identity);
   part_.samples_per_pixel = plan.samples_per_pixel();
   part_.films = tracer.make_films();
   part_.layers.resize(part_.films.size());
+  const std::size_t planes = rule_planes + (randomisations_.count > 1 ? randomisations_.count : 0);
+  for (Film& film : part_.films) film.kept.assign(planes, std::vector<std::uint64_t>(film.pixels()));
 }
 
 void Session::resume(FilmPart part, const std::string& file) {
@@ -110,17 +160,31 @@ bool Session::work(const SampleBoxes& boxes, SampleRange range, const GoOn& go_o
   std::vector<std::uint32_t> pixels(positions.size());
   std::transform(positions.begin(), positions.end(), pixels.begin(),
                  [&](std::uint32_t p) { return order_[p]; });
+  for (const Randomisations::Piece& piece : randomisations_.pieces(range)) {
+    if (randomisations_.count > 1)
+      tracer_.set_samples(plan_.spp, Randomisations::seed_of(plan_.seed, piece.randomisation));
+    if (!work(positions, pixels, piece, go_on)) return false;
+  }
+  return true;
+}
+
+bool Session::work(const std::vector<std::uint32_t>& positions, const std::vector<std::uint32_t>& pixels,
+                   const Randomisations::Piece& piece, const GoOn& go_on) {
   RenderCounters before = tracer_.counters();
   auto last = std::chrono::steady_clock::now();
-  return tracer_.accumulate(pixels, range, part_.films, [&](std::span<const Finished> finished) {
-    for (const Finished& f : finished)
+  return tracer_.accumulate(pixels, piece.range, part_.films, [&](std::span<const Finished> finished) {
+    for (const Finished& f : finished) {
+      if (randomisations_.count > 1)
+        for (std::size_t p = f.begin; p < f.end; ++p)
+          keep_sums(piece.randomisation, film_index(positions[p]));
+      const std::uint32_t first = piece.first + (f.range.first - piece.range.first);
       for (std::size_t begin = f.begin, end; begin < f.end; begin = end) {
         for (end = begin + 1; end < f.end && positions[end] == positions[end - 1] + 1;) ++end;
-        const SampleBox box{positions[begin], positions[end - 1] + 1, f.range.first,
-                            f.range.first + f.range.count};
+        const SampleBox box{positions[begin], positions[end - 1] + 1, first, first + f.range.count};
         held_.add(box);
         samples_held_ += box.samples();
       }
+    }
     const RenderCounters& now = tracer_.counters();
     part_.counts.camera_rays += now.camera_rays - before.camera_rays;
     part_.counts.occlusion_rays += now.occlusion_rays - before.occlusion_rays;
@@ -131,6 +195,15 @@ bool Session::work(const SampleBoxes& boxes, SampleRange range, const GoOn& go_o
     last = time;
     return go_on();
   });
+}
+
+// What the films have more than the randomisations is this one's.
+void Session::keep_sums(std::uint32_t randomisation, std::size_t pixel) {
+  for (Film& film : part_.films) {
+    std::uint64_t known = 0;
+    for (std::uint32_t r = 0; r < randomisations_.count; ++r) known += film.kept[r][pixel];
+    film.kept[randomisation][pixel] += film.sum[pixel] - known;
+  }
 }
 
 SampleBox Session::share(const Share& share) const {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace nook {
 namespace {
@@ -18,20 +17,6 @@ double hypergeometric(double i, double n, double k, double m) {
 }
 
 }  // namespace
-
-double normal_quantile(double confidence) {
-  // Newton on erfc, whose derivative is known; it starts at 0, where the function is steepest, and so never
-  // overshoots.
-  const double tail = 1 - confidence;
-  double z = 0;
-  for (int step = 0; step < 200; ++step) {
-    const double density = 2 * std::exp(-0.5 * z * z) / std::sqrt(2 * std::numbers::pi);
-    const double change = (std::erfc(z / std::numbers::sqrt2) - tail) / density;
-    z += change;
-    if (std::abs(change) < 1e-14) break;
-  }
-  return z;
-}
 
 Interval score_interval(const SampleSums& sums, double bound, double z) {
   const double n = sums.count, mean = sums.mean();
@@ -84,7 +69,12 @@ CountRule::CountRule(const ErrorTarget& target)
 }
 
 bool CountRule::done(std::uint32_t n, std::uint32_t k) const {
-  return interval(n, k).half_width() <= z_ * target_.error;
+  return half_width(n, k) <= z_ * target_.error;
+}
+
+double CountRule::half_width(std::uint32_t n, std::uint32_t k) const {
+  const double p = (k + 2.5) / (n + 5.0);
+  return std::max(interval(n, k).half_width(), z_ * std::sqrt(p * (1 - p) / n));
 }
 
 Interval CountRule::interval(std::uint32_t n, std::uint32_t k) const {

@@ -4,10 +4,9 @@
 #include <utility>
 #include <vector>
 
-namespace nook {
+#include "render/quantiles.hpp"
 
-/// z with P(|Z| <= z) = confidence for a standard normal Z; confidence in (0, 1).
-double normal_quantile(double confidence);
+namespace nook {
 
 /// A confidence interval; both ends are values of the estimate.
 struct Interval {
@@ -50,7 +49,12 @@ struct ErrorTarget {
 std::vector<std::uint32_t> checkpoints(std::uint32_t first, std::uint32_t last);
 
 /// Sequential estimation of a probability from k hits in n samples of 0 or 1: stop at the first checkpoint at
-/// which Wilson's interval is narrow enough.
+/// which the estimate's interval is narrow enough.
+///
+/// Wilson's interval is not symmetric about the estimate; value ± its half width covers .03 in 91 % of the
+/// runs to an error of .0075, and the estimate's standard error is 1.13 times the one asked for. So the half
+/// width is never less than z sqrt(p (1 - p) / n) with p = (k + 2.5) / (n + 5), with which both are right
+/// (exact coverages: tests/unit/stop_rule_test.cpp).
 ///
 /// k/n at the stopping time is biased (by -44 % at p = .05 with a rule that stops on few hits). The unbiased
 /// estimate is that of Girshick, Mosteller and Savage 1946 ("Unbiased estimates for certain binomial sampling
@@ -69,7 +73,10 @@ class CountRule {
   /// (time, the largest spp) for reasons that do not depend on its samples. k/n for n below the first
   /// checkpoint.
   double estimate(std::uint32_t n, std::uint32_t k) const;
+  /// Wilson's.
   Interval interval(std::uint32_t n, std::uint32_t k) const;
+  /// The estimate is within this of the value as often as the target's confidence says.
+  double half_width(std::uint32_t n, std::uint32_t k) const;
 
  private:
   // Of the orders of k hits in n samples: the share that goes on to n, and the sum of k₁/n₁ over these.

@@ -54,7 +54,7 @@ std::vector<GalleryPicture> make_gallery(const StudyScene& scene, double seconds
   const std::vector<StudyMethod> others = {
       scene.path_traced(ro ? Sampling::cosine : Sampling::sphere, Sampler::independent, 1, 1024),
       scene.path_traced(best_sampling, Sampler::independent, 1, 1024)};
-  const StudyMethod adaptive = scene.adaptive();
+  const StudyMethod adaptive = scene.adaptive(Sampler::sobol);
 
   std::vector<GalleryPicture> pictures = {
       {"reference", "reference", fmt::format("{} spp", reference.spp), reference.image, {}}};
@@ -85,6 +85,7 @@ std::vector<GalleryPicture> make_gallery(const StudyScene& scene, double seconds
   screen.samplings = {best_sampling};
   screen.max_spp = 1;
   screen.adaptive = false;
+  screen.predictions = false;
   for (const StudyMethod& method : scene.methods(screen))
     if (method.family == StudyMethod::Family::ssao && method.levels.size() > 0)
       pictures.push_back(show(method, method.levels.back(), seed, reference, "screen space").picture);

@@ -64,6 +64,25 @@ struct StudyScene::Variances {
   double second_moment = 0;      // AO: mean over pixels of M = E[V cos] under the cosine distribution
 };
 
+// A method's kernels, built before its first run: a study that is interrupted, or only counts its methods,
+// need not build what it does not use.
+struct StudyScene::Program {
+  Plan plan;
+  std::unique_ptr<PathTracer> tracer;
+  std::vector<std::uint32_t> order;
+
+  PathTracer& get(const StudyScene& scene) {
+    if (!tracer) {
+      tracer = std::make_unique<PathTracer>(scene.device_, plan, scene.mesh_, scene.bvh_);
+      order = pixels_in_order(plan.window, plan.width);
+      std::vector<Film> warm = tracer->make_films();  // the first launch loads the program's code
+      tracer->accumulate(std::span(order).first(1), {0, 1}, warm);
+      tracer->store_programs();
+    }
+    return *tracer;
+  }
+};
+
 StudyScene::StudyScene(const Device& device, const Scene& scene, const TriangleMesh& mesh, const Bvh& bvh,
                        int width, int height)
     : device_(device),
@@ -90,25 +109,23 @@ StudyMethod StudyScene::path_traced(Sampling sampling, Sampler sampler, std::uin
       method.sampling + " " + method.sampler + (directions > 1 ? fmt::format(" x{}", directions) : "");
   for (std::uint32_t spp = 1; spp <= max_spp && spp * directions <= std::max(1024u, max_spp); spp *= 2)
     method.levels.push_back(spp);
-  const Plan plan = plan_with(sampling, sampler, directions);
-  const auto tracer = std::make_shared<PathTracer>(device_, plan, mesh_, bvh_);
-  const auto order = std::make_shared<std::vector<std::uint32_t>>(pixels_in_order(plan.window, plan.width));
-  std::vector<Film> warm = tracer->make_films();  // the first launch loads the program's code
-  tracer->accumulate(std::span(*order).first(1), {0, 1}, warm);
-  method.render = [tracer, order](double level, std::uint32_t seed) {
+  const auto program = std::make_shared<Program>(Program{plan_with(sampling, sampler, directions), {}, {}});
+  method.render = [this, program](double level, std::uint32_t seed) {
+    PathTracer& tracer = program->get(*this);
+    const std::vector<std::uint32_t>& order = program->order;
     const auto spp = std::uint32_t(level);
-    const RenderCounters before = tracer->counters();
+    const RenderCounters before = tracer.counters();
     const Clock::time_point start = Clock::now();
-    std::vector<Film> films = tracer->make_films();
-    tracer->set_samples(spp, seed);
-    tracer->accumulate(*order, {0, spp}, films);
+    std::vector<Film> films = tracer.make_films();
+    tracer.set_samples(spp, seed);
+    tracer.accumulate(order, {0, spp}, films);
     const Film& film = films.front();
     StudyPicture picture;
     picture.image.resize(film.pixels());
     for (std::size_t i = 0; i < film.pixels(); ++i) picture.image[i] = float(film.value(i));
     picture.wall_seconds = seconds_since(start);
-    picture.device_seconds = tracer->counters().device_seconds - before.device_seconds;
-    picture.rays = rays(tracer->counters()) - rays(before);
+    picture.device_seconds = tracer.counters().device_seconds - before.device_seconds;
+    picture.rays = rays(tracer.counters()) - rays(before);
     if (spp > 1) {
       picture.variance.resize(film.pixels());
       for (std::size_t i = 0; i < film.pixels(); ++i) picture.variance[i] = float(film.variance(i));
@@ -118,27 +135,31 @@ StudyMethod StudyScene::path_traced(Sampling sampling, Sampler sampler, std::uin
   return method;
 }
 
-StudyMethod StudyScene::adaptive() const {
+StudyMethod StudyScene::adaptive(Sampler sampler) const {
   StudyMethod method;
   const Effect& effect = plan_.effects.front().effect;
   const Sampling sampling = effect.kind == EffectKind::ro ? Sampling::lobe : Sampling::cosine;
-  method.name = "adaptive";
+  method.name = std::string("adaptive ") + std::string(name_of(sampler));
   method.family = StudyMethod::Family::adaptive;
   method.sampling = name_of(sampling);
-  method.sampler = name_of(Sampler::independent);
-  method.levels = {.1, .05, .02, .01};
-  const auto plan = std::make_shared<Plan>(
-      AdaptiveRender::plan_for(plan_with(sampling, Sampler::independent, 1), ErrorTarget{}));
-  const auto tracer = std::make_shared<PathTracer>(device_, *plan, mesh_, bvh_);
-  method.render = [tracer, plan](double level, std::uint32_t seed) {
-    const RenderCounters before = tracer->counters();
+  method.sampler = name_of(sampler);
+  method.levels =
+      sampler == Sampler::independent ? std::vector{.1, .05, .02, .01} : std::vector{.02, .01, .005};
+  const Plan plan =
+      AdaptiveRender::plan_for(plan_with(sampling, sampler, 1), {.error = method.levels.back()});
+  const auto program = std::make_shared<Program>(Program{plan, {}, {}});
+  method.render = [this, program](double level, std::uint32_t seed) {
+    PathTracer& tracer = program->get(*this);
+    const RenderCounters before = tracer.counters();
     const Clock::time_point start = Clock::now();
-    tracer->set_samples(plan->spp, seed);
-    AdaptiveResult result = AdaptiveRender(*tracer, *plan, {.error = level}).run();
+    Plan seeded = program->plan;
+    seeded.seed = seed;
+    tracer.set_samples(seeded.spp, seed);
+    AdaptiveResult result = AdaptiveRender(tracer, seeded, {.error = level}).run();
     StudyPicture picture;
     picture.wall_seconds = seconds_since(start);
-    picture.device_seconds = tracer->counters().device_seconds - before.device_seconds;
-    picture.rays = rays(tracer->counters()) - rays(before);
+    picture.device_seconds = tracer.counters().device_seconds - before.device_seconds;
+    picture.rays = rays(tracer.counters()) - rays(before);
     picture.image = std::move(result.effects.front().value);
     picture.variance = std::move(result.effects.front().variance);
     picture.samples = std::move(result.effects.front().samples);
@@ -215,7 +236,7 @@ std::vector<StudyMethod> StudyScene::methods(const StudyChoice& choice) const {
       methods.push_back(path_traced(sampling, sampler, 1, choice.max_spp));
     }
   if (!chosen) methods.push_back(path_traced(all_samplings.front(), Sampler::sobol, 16, choice.max_spp));
-  if (!ro) {
+  if (!ro && choice.predictions) {
     const Variances v = variances();
     for (StudyMethod& method : methods) {
       const double moment =
@@ -225,7 +246,8 @@ std::vector<StudyMethod> StudyScene::methods(const StudyChoice& choice) const {
     }
   }
   if (!chosen) methods.push_back(denoised(choice.max_spp));
-  if (choice.adaptive) methods.push_back(adaptive());
+  if (choice.adaptive)
+    for (const Sampler sampler : {Sampler::independent, Sampler::sobol}) methods.push_back(adaptive(sampler));
   if (choice.ssao && !ro && std::isfinite(effect.max_distance) && !scene_.automatic_camera) {
     using Quality = SsaoSettings::Quality;
     try {
@@ -296,7 +318,8 @@ double samples_per_pixel(const std::vector<StudyMethod>& methods) {
       if (method.family == StudyMethod::Family::fixed)
         sum += runs * level * std::sqrt(double(method.directions));
       if (method.family == StudyMethod::Family::adaptive)
-        sum += runs * std::max(16.0, 0.18 / (level * level));
+        sum += runs * (method.sampler == "independent" ? std::max(16.0, 0.18 / (level * level))
+                                                       : std::max(128.0, 0.4 * std::pow(level, -1.6)));
     }
   return sum;
 }

@@ -18,6 +18,7 @@ struct StudyChoice {
   std::vector<Sampler> samplers;
   std::uint32_t max_spp = 1024;
   bool adaptive = true, ssao = true;
+  bool predictions = true;  ///< of the variance, which takes a short render
 };
 
 /// One scene's picture at one size, by every method of a study. Studies its first AO or RO effect; an SSAO
@@ -33,12 +34,13 @@ class StudyScene {
   int height() const { return scene_.height; }
   const EffectPlan& effect() const { return plan_.effects.front(); }
 
-  /// The methods, their programs built.
+  /// The methods; their kernels are built before their first run. This must outlive them.
   std::vector<StudyMethod> methods(const StudyChoice& choice) const;
   /// One of them.
   StudyMethod path_traced(Sampling sampling, Sampler sampler, std::uint32_t directions,
                           std::uint32_t max_spp) const;
-  StudyMethod adaptive() const;
+  /// By the stop rule of that sampler: independent or sobol.
+  StudyMethod adaptive(Sampler sampler) const;
   /// Cosine (RO: lobe) and Sobol' through film/denoise.hpp.
   StudyMethod denoised(std::uint32_t max_spp) const;
 
@@ -51,6 +53,7 @@ class StudyScene {
 
  private:
   struct Variances;
+  struct Program;
   Plan plan_with(Sampling sampling, Sampler sampler, std::uint32_t directions) const;
   Variances variances() const;
   StudyMethod screen_space(SsaoSettings::Method method, std::optional<SsaoSettings::Quality> quality) const;

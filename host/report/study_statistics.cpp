@@ -2,40 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace nook {
-namespace {
-
-// Density of Student's distribution.
-double student_density(double t, double n) {
-  return std::exp(std::lgamma(0.5 * (n + 1)) - std::lgamma(0.5 * n)) / std::sqrt(n * std::numbers::pi) *
-         std::pow(1 + t * t / n, -0.5 * (n + 1));
-}
-
-// P(0 < T < t): Simpson's rule in x with t = x / (1 - x), whose integrand is smooth and bounded.
-double student_half(double t, double n) {
-  constexpr int steps = 2000;
-  const double end = t / (1 + t), h = end / steps;
-  double sum = 0;
-  for (int i = 0; i <= steps; ++i) {
-    const double x = i * h, weight = i == 0 || i == steps ? 1 : i % 2 ? 4 : 2;
-    sum += weight * student_density(x / (1 - x), n) / ((1 - x) * (1 - x));
-  }
-  return sum * h / 3;
-}
-
-}  // namespace
-
-double student_quantile(double confidence, unsigned degrees) {
-  double low = 0, high = 1e4;
-  for (int step = 0; step < 60; ++step) {
-    const double middle = 0.5 * (low + high);
-    (2 * student_half(middle, degrees) < confidence ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
 Band mean_band(std::span<const double> values, double confidence) {
   if (values.empty()) return {};
   const double n = double(values.size());

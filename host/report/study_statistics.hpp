@@ -4,10 +4,9 @@
 #include <span>
 #include <vector>
 
-namespace nook {
+#include "render/quantiles.hpp"
 
-/// t with P(|T| <= t) = confidence for Student's distribution; degrees >= 1, confidence in (0, 1).
-double student_quantile(double confidence, unsigned degrees);
+namespace nook {
 
 /// A value and its confidence band.
 struct Band {

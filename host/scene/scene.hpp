@@ -96,6 +96,17 @@ struct Ground {
   std::optional<float> reach;  ///< from the mesh's center to each side, world units; unset: 20 bounding radii
 };
 
+/// When a render ends, if not after a fixed number of samples; see docs/study.md.
+struct StopTarget {
+  std::optional<double> error;    ///< standard error of each pixel, 1e-4 to 1
+  std::optional<double> seconds;  ///< from the start of the command, 0.05 to 1e7
+  double confidence = 0.95;       ///< of the intervals behind `error`, 0.5 to 0.9999
+  std::uint32_t min_spp = 16;     ///< with `error`: camera rays before a pixel may stop
+  std::uint32_t max_spp = 65536;  ///< camera rays a pixel at most; min_spp <= max_spp
+
+  bool any() const { return error || seconds; }
+};
+
 /// What a scene file says, checked and complete; nothing is derived yet (see render/plan.hpp).
 struct Scene {
   std::filesystem::path file;       ///< as the user named it; for messages
@@ -113,6 +124,7 @@ struct Scene {
   std::uint32_t directions = 1;  ///< occlusion rays per camera ray
   Sampler sampler = Sampler::sobol;
   std::uint32_t seed = 0;
+  StopTarget stop;
   bool compat_tinyrender = false;  ///< automatic AO limit 1.5, as the course's images have
   bool denoise = false;            ///< filter what is traced; see film/denoise.hpp
 };

@@ -36,11 +36,36 @@ void read_effects(const std::string& file, const toml::node* list, TomlTable& re
   }
 }
 
+// error, time and what goes with them, instead of spp.
+void read_stop(TomlTable& renderer, Scene& scene) {
+  StopTarget& stop = scene.stop;
+  const bool error = renderer.has("error"), seconds = renderer.has("time");
+  if (error) stop.error = renderer.number("error", 0, 1e-4, 1, "a standard error from 1e-4 to 1");
+  if (seconds) stop.seconds = renderer.number("time", 0, 0.05, 1e7, "seconds from 0.05 to 1e7");
+  const auto needs = [&](const char* key, bool fulfilled, const char* what) {
+    if (renderer.has(key) && !fulfilled)
+      fail_at(renderer.file(), renderer.find(key)->source(), fmt::format("{} goes with {}", key, what));
+  };
+  needs("confidence", error, "error");
+  needs("min_spp", error, "error");
+  needs("max_spp", error || seconds, "error or time");
+  if (stop.any() && renderer.has("spp"))
+    fail_at(renderer.file(), renderer.find("spp")->source(),
+            "spp and error or time exclude one another; max_spp bounds them");
+  stop.confidence = renderer.number("confidence", stop.confidence, 0.5, 0.9999, "from 0.5 to 0.9999");
+  stop.max_spp = std::uint32_t(renderer.integer("max_spp", stop.max_spp, 1, 1 << 26));
+  stop.min_spp = std::uint32_t(renderer.integer("min_spp", std::min(stop.min_spp, stop.max_spp), 1, 1 << 26));
+  if (stop.min_spp > stop.max_spp)
+    fail_at(renderer.file(), renderer.find("min_spp")->source(),
+            fmt::format("min_spp is above max_spp, {}", stop.max_spp));
+}
+
 void read_renderer(TomlTable& renderer, Scene& scene) {
   scene.realtime = renderer.boolean("realtime", false);
   scene.spp = std::uint32_t(renderer.integer("spp", 1, 1, 1 << 26));
   scene.directions = std::uint32_t(renderer.integer("directions", 1, 1, 1 << 26));
   scene.sampler = renderer.choice<Sampler>("sampler", Sampler::sobol, sampler_names);
+  read_stop(renderer, scene);
   scene.seed = std::uint32_t(renderer.integer("seed", 0, 0, 0xffffffffLL));
   static constexpr std::pair<std::string_view, bool> compat_names[] = {{"tinyrender", true}, {"none", false}};
   scene.denoise = renderer.boolean("denoise", false);

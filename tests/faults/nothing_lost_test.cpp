@@ -143,6 +143,73 @@ TEST_F(NothingLost, SignalsFlushAndResumeGivesTheSameBits) {
   expect_same_picture("one.exr", "resumed.exr");
 }
 
+// Renders to an error: counts, randomised sequences, and, with an RO layer, pilots; each about a second of
+// work. What a rule has decided must survive as well as the sums.
+const std::string two_layers =
+    "[[effect]]\ntype = \"ao\"\nmax_distance = 1.0\n[[effect]]\nname = \"ro\"\ntype = \"ro\"\nexponent = 4\n";
+const std::string renders_to_an_error[] = {
+    "render scene.toml --sampler independent --error .012", "render scene.toml --error .003",
+    "render layers.toml --sampler independent --error .02", "render layers.toml --error .008"};
+const std::string with_aovs = " --no-png --size 128x96 --aov variance,samples,normal";
+
+class NothingLostToAnError : public NothingLost {
+ protected:
+  NothingLostToAnError() {
+    write_bytes(folder / "layers.toml",
+                with(small_scene, "type = \"ao\"\nspp = 4\nmax_distance = 1.0\n", two_layers));
+  }
+};
+
+TEST_F(NothingLostToAnError, SignalsFlushAndResumeGivesTheSameBits) {
+  for (const std::string& render : renders_to_an_error) {
+    succeed(render + with_aovs + " -o one.exr");
+    const std::string resumed = render + with_aovs + " --checkpoint c.nook --every 0 --resume -o resumed.exr";
+    for (const int signal : {SIGINT, SIGTERM}) {
+      RunningProgram program(NOOK_PROGRAM, setting(resumed));
+      ASSERT_TRUE(writes(program, folder / "c.nook")) << "too quick to be interrupted";
+      program.send(signal);
+      const ProgramResult result = program.wait();
+      ASSERT_EQ(result.code, 130) << result.err;
+      EXPECT_NE(result.err.find("interrupted; c.nook holds"), std::string::npos) << result.err;
+    }
+    succeed(resumed);
+    expect_same_picture("one.exr", "resumed.exr");
+    // A finished one is not rendered again.
+    succeed(resumed);
+    expect_same_picture("one.exr", "resumed.exr");
+    std::filesystem::remove(folder / "c.nook");
+  }
+}
+
+TEST_F(NothingLostToAnError, KillsAtRandomMoments) {
+  const char* asked = std::getenv("NOOK_KILLS");
+  const int kills = asked ? std::atoi(asked) : 12;
+  std::minstd_rand random(11);
+  for (const std::string& render : renders_to_an_error) {
+    succeed(render + with_aovs + " -o one.exr");
+    const std::string resumed = render + with_aovs + " --checkpoint c.nook --every 0 --resume -o resumed.exr";
+    for (int killed = 0; killed < kills / 4; ++killed) {
+      RunningProgram program(NOOK_PROGRAM, setting(resumed));
+      std::this_thread::sleep_for(std::chrono::milliseconds(100 + random() % 700));
+      program.send(SIGKILL);
+      program.wait();
+    }
+    succeed(resumed);
+    expect_same_picture("one.exr", "resumed.exr");
+    std::filesystem::remove(folder / "c.nook");
+  }
+}
+
+// A render that ran out of time goes on from there, to the same bits.
+TEST_F(NothingLostToAnError, TimeIsNoEnd) {
+  const std::string render = renders_to_an_error[1] + with_aovs;
+  succeed(render + " -o one.exr");
+  EXPECT_EQ(run(render + " --checkpoint c.nook --time .2 -o short.exr").code, 5);
+  EXPECT_TRUE(std::filesystem::exists(folder / "short.exr"));
+  succeed(render + " --checkpoint c.nook --resume -o resumed.exr");
+  expect_same_picture("one.exr", "resumed.exr");
+}
+
 // Parts that are killed at random moments, and started again until they are done, by processes that run at
 // once.
 TEST_F(NothingLost, KillsAtRandomMoments) {

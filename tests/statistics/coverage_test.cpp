@@ -5,20 +5,24 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <chrono>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <fstream>
 
 #include "bvh/bvh.hpp"
 #include "mesh/obj_loader.hpp"
 #include "render/adaptive.hpp"
 #include "render/forecast.hpp"
+#include "scene/names.hpp"
 #include "support/kernels.hpp"
 #include "temporary_folder.hpp"
 
 namespace nook {
 namespace {
 
-constexpr int side = 32;
+constexpr int side = 64;
 constexpr double pixels = side * side;
 
 class CoverageTest : public ::testing::Test {
@@ -35,33 +39,56 @@ class CoverageTest : public ::testing::Test {
     bvh_ = build_bvh(mesh_);
   }
 
-  Plan plan(double value, Sampling sampling, const ErrorTarget& target) const {
-    Scene scene;
-    scene.camera = {{0, 0.9f, 0}, {0.1f, 0, 0}, {0, 0, 1}, 40};
-    scene.width = scene.height = side;
-    scene.seed = 7;
+  // Looking down on the floor.
+  Scene scene(double value, Sampling sampling, Sampler sampler) const {
+    Scene made;
+    made.camera = {{0, 0.9f, 0}, {0.1f, 0, 0}, {0, 0, 1}, 40};
+    made.width = made.height = side;
+    made.seed = 7;
+    made.sampler = sampler;
     Effect effect;
     effect.sampling = sampling;
     effect.max_distance = {DistanceLimit::Kind::value, float(1 / std::sqrt(value))};
-    scene.effects = {effect};
+    made.effects = {effect};
+    return made;
+  }
+  Plan plan(const Scene& scene, const ErrorTarget& target) const {
     return AdaptiveRender::plan_for(make_plan(scene, mesh_), target);
   }
 
   struct Outcome {
-    double bias, covered, error;
+    double bias = 0, covered = 0, error = 0;  // bias: in standard errors of a pixel
+    double samples = 0;
+    double covered_by_spread = 0;  // by the randomisations' plain spread and the normal quantile
   };
-  Outcome measure(double value, Sampling sampling, const ErrorTarget& target) const {
-    const Plan made = plan(value, sampling, target);
+  Outcome measure(const Scene& scene, double value, const ErrorTarget& target) const {
+    const Plan made = plan(scene, target);
     PathTracer tracer(test::device(), made, mesh_, bvh_);
-    const AdaptiveResult result = AdaptiveRender(tracer, made, target).run();
+    AdaptiveRender render(tracer, made, target);
+    const AdaptiveResult result = render.run();
     EXPECT_EQ(result.share_done, 1);
-    Outcome out{0, 0, result.error_reached};
+    Outcome out;
+    out.error = result.error_reached;
     const PixelEstimates& estimates = result.effects.front();
+    const Film& film = render.session().films().front();
+    double square = 0;
     for (std::size_t i = 0; i < estimates.value.size(); ++i) {
       const double error = double(estimates.value[i]) - value;
       out.bias += error / pixels;
+      square += error * error / pixels;
       out.covered += (error * error <= 1.96 * 1.96 * double(estimates.variance[i])) / pixels;
+      out.samples += estimates.samples[i] / pixels;
+      double spread = 0;
+      for (std::size_t r = 0; made.sampler != Sampler::independent && r < 8; ++r)
+        spread += std::pow(8 * double(film.kept[r][i]) / film.sum_scale / film.camera_samples[i] -
+                               double(estimates.value[i]),
+                           2);
+      out.covered_by_spread += (error * error <= 1.96 * 1.96 * spread / 56) / pixels;
     }
+    out.bias /= std::sqrt(square);
+    std::printf("| %.2f | %s | %.4f | %+.3f | %.1f %% | %.0f |\n", value,
+                std::string(name_of(made.sampler)).c_str(), target.error, out.bias, 100 * out.covered,
+                out.samples);
     return out;
   }
 
@@ -70,55 +97,154 @@ class CoverageTest : public ::testing::Test {
   Bvh bvh_;
 };
 
-// Four standard deviations of what is measured, once in 16000 runs, on top of what is allowed.
-constexpr double z = 4;
+// A bias of a tenth of a standard error, a coverage from 93 to 97 %. The bias is known to .016, the coverage
+// to .3 %; what these seeds show lies well within.
+constexpr double bias_allowed = .1, coverage_allowed = .02;
+
+// An error well below the value and its complement, so that the number of hits takes many values.
+double error_for(double value) {
+  return std::min(.01, .25 * std::min(value, 1 - value));
+}
+
+constexpr double values[] = {.01, .03, .1, .3, .5, .7, .9, .97, .99};
 
 TEST_F(CoverageTest, CountsAreUnbiasedAndCovered) {
-  for (const double value : {.04, .1, .5, .9}) {
-    const Outcome out = measure(value, Sampling::cosine, {.error = .01});
-    EXPECT_LE(std::abs(out.bias), .01 * (.1 + z / std::sqrt(pixels))) << value;
-    EXPECT_NEAR(out.covered, .95, .02 + z * std::sqrt(.05 * .95 / pixels)) << value;
-    EXPECT_LE(out.error, .01) << value;
+  for (const double value : values) {
+    const double error = error_for(value);
+    const Outcome out =
+        measure(scene(value, Sampling::cosine, Sampler::independent), value, {.error = error});
+    EXPECT_LE(std::abs(out.bias), bias_allowed) << value;
+    EXPECT_NEAR(out.covered, .95, coverage_allowed) << value;
+    EXPECT_LE(out.error, error) << value;
   }
 }
 
+// Where the error asked is as large as the value, intervals cover too often rather than too seldom.
 TEST_F(CoverageTest, RareEventsAreUnbiased) {
-  for (const double value : {.01, .99}) {
-    const Outcome out = measure(value, Sampling::cosine, {.error = .01});
-    EXPECT_LE(std::abs(out.bias), .01 * (.1 + z / std::sqrt(pixels))) << value;
-    EXPECT_GE(out.covered, .93 - z * std::sqrt(.05 * .95 / pixels)) << value;
-  }
+  for (const Sampler sampler : {Sampler::independent, Sampler::sobol})
+    for (const double value : {.01, .99}) {
+      const Outcome out = measure(scene(value, Sampling::cosine, sampler), value, {.error = .01});
+      EXPECT_LE(std::abs(out.bias), bias_allowed) << value;
+      EXPECT_GE(out.covered, .95 - coverage_allowed) << value;
+    }
 }
 
-// Weighted samples (2 cos θ): the rule with a pilot.
-TEST_F(CoverageTest, PlannedSamplesAreUnbiasedAndCovered) {
-  for (const double value : {.1, .5, .9}) {
-    const Outcome out = measure(value, Sampling::hemisphere, {.error = .015});
-    EXPECT_LE(std::abs(out.bias), .015 * (.1 + z / std::sqrt(pixels))) << value;
-    EXPECT_NEAR(out.covered, .95, .02 + z * std::sqrt(.05 * .95 / pixels)) << value;
-    EXPECT_LE(out.error, .015) << value;
+TEST_F(CoverageTest, RandomisedSequencesAreUnbiasedAndCovered) {
+  for (const Sampler sampler : {Sampler::sobol, Sampler::halton})
+    for (const double value : values) {
+      if (sampler == Sampler::halton && value != .03 && value != .5 && value != .99) continue;
+      const double error = error_for(value);
+      const Outcome out = measure(scene(value, Sampling::cosine, sampler), value, {.error = error});
+      EXPECT_LE(std::abs(out.bias), bias_allowed) << value;
+      EXPECT_NEAR(out.covered, .95, coverage_allowed) << value;
+      EXPECT_LE(out.error, error) << value;
+    }
+}
+
+// That this measure can fail: eight randomisations know their spread too badly for the normal quantile
+// (P(|t| <= 1.96) = .91 with 7 degrees of freedom).
+TEST_F(CoverageTest, ThePlainSpreadDoesNotCover) {
+  const Outcome out = measure(scene(.5, Sampling::cosine, Sampler::sobol), .5, {.error = .01});
+  EXPECT_LT(out.covered_by_spread, .95 - coverage_allowed);
+}
+
+// Weighted samples (2 cos θ, 4 cos θ): with a pilot, and by randomisations.
+TEST_F(CoverageTest, WeightedSamplesAreUnbiasedAndCovered) {
+  for (const Sampler sampler : {Sampler::independent, Sampler::sobol})
+    for (const Sampling sampling : {Sampling::hemisphere, Sampling::sphere})
+      for (const double value : {.1, .5, .9}) {
+        const Outcome out = measure(scene(value, sampling, sampler), value, {.error = .02});
+        EXPECT_LE(std::abs(out.bias), bias_allowed) << value;
+        EXPECT_NEAR(out.covered, .95, coverage_allowed) << value;
+        EXPECT_LE(out.error, .02) << value;
+      }
+}
+
+// Head-on (from far above, through a narrow angle) an open sky reflects 1 from a lobe of any exponent: its
+// directions' weights (n + 2)/(n + 1) N·ω spread about that. Rays of length .5 do not reach the ceiling.
+TEST_F(CoverageTest, ReflectionIsUnbiasedAndCovered) {
+  for (const Sampler sampler : {Sampler::independent, Sampler::sobol})
+    for (const float exponent : {1.0f, 20.0f}) {
+      Scene reflected = scene(.5, Sampling::lobe, sampler);
+      reflected.camera = {{0, 0.99f, 0}, {0, 0, 0}, {0, 0, 1}, 0.01f};
+      reflected.effects.front().kind = EffectKind::ro;
+      reflected.effects.front().exponent = exponent;
+      reflected.effects.front().max_distance = {DistanceLimit::Kind::value, 0.5f};
+      const double error = exponent > 10 ? .003 : .01;
+      const Outcome out = measure(reflected, 1, {.error = error});
+      EXPECT_LE(std::abs(out.bias), bias_allowed) << exponent;
+      EXPECT_GE(out.covered, .95 - coverage_allowed) << exponent;
+      // Samples that hardly vary: a pilot's interval is wider than they ask for.
+      if (sampler == Sampler::sobol || exponent < 10)
+        EXPECT_LE(out.covered, .95 + coverage_allowed) << exponent;
+      EXPECT_LE(out.error, error) << exponent;
+    }
+}
+
+// With a falloff samples have all values between 0 and 1, and are no counts.
+TEST_F(CoverageTest, OnlyCountsAreCounted) {
+  EffectPlan effect;
+  EXPECT_TRUE(samples_are_counts(effect, 1));
+  EXPECT_FALSE(samples_are_counts(effect, 2));
+  for (const Falloff falloff : {Falloff::linear, Falloff::smooth, Falloff::exponential}) {
+    effect.effect.falloff = falloff;
+    EXPECT_FALSE(samples_are_counts(effect, 1));
   }
+  effect.effect = {};
+  effect.effect.sampling = Sampling::hemisphere;
+  EXPECT_FALSE(samples_are_counts(effect, 1));
+  effect.effect = {};
+  effect.effect.kind = EffectKind::ro;
+  EXPECT_FALSE(samples_are_counts(effect, 1));
 }
 
 TEST_F(CoverageTest, SameBitsEveryTime) {
-  const ErrorTarget target{.error = .03};
-  const Plan made = plan(.5, Sampling::cosine, target);
-  PathTracer tracer(test::device(), made, mesh_, bvh_);
-  EXPECT_EQ(AdaptiveRender(tracer, made, target).run().effects.front().value,
-            AdaptiveRender(tracer, made, target).run().effects.front().value);
+  for (const Sampler sampler : {Sampler::independent, Sampler::sobol}) {
+    const ErrorTarget target{.error = .02};
+    const Plan made = plan(scene(.5, Sampling::cosine, sampler), target);
+    PathTracer tracer(test::device(), made, mesh_, bvh_);
+    EXPECT_EQ(AdaptiveRender(tracer, made, target).run().effects.front().value,
+              AdaptiveRender(tracer, made, target).run().effects.front().value);
+  }
 }
 
-// The pilot's spp against what the render then takes.
+// The pilot's spp against what the render then takes; the pilot of the second has not the time to reach the
+// error.
 TEST_F(CoverageTest, TheForecastHolds) {
-  const ErrorTarget target{.error = .02};
-  const Plan made = plan(.5, Sampling::cosine, target);
-  PathTracer tracer(test::device(), made, mesh_, bvh_);
-  const double asked[] = {.02};
-  const Forecast predicted = forecast(tracer, made, target, asked, 0.2);
-  const AdaptiveResult result = AdaptiveRender(tracer, made, target).run();
-  double samples = 0;
-  for (const std::uint32_t n : result.effects.front().samples) samples += n / pixels;
-  EXPECT_NEAR(predicted.rows.front().spp / samples, 1, .15);
+  for (const Sampler sampler : {Sampler::independent, Sampler::sobol})
+    for (const double error : {.02, .004}) {
+      if (sampler == Sampler::independent && error < .01) continue;
+      const ErrorTarget target{.error = error};
+      const Plan made = plan(scene(.5, Sampling::cosine, sampler), target);
+      PathTracer tracer(test::device(), made, mesh_, bvh_);
+      const double asked[] = {error};
+      const Forecast predicted = forecast(tracer, made, target, asked, 0.2);
+      const AdaptiveResult result = AdaptiveRender(tracer, made, target).run();
+      double samples = 0;
+      for (const std::uint32_t n : result.effects.front().samples) samples += n / pixels;
+      EXPECT_NEAR(predicted.rows.front().spp / samples, 1, .25) << name_of(sampler) << error;
+    }
+}
+
+// What a pilot says of the time; by the wall clock, on a machine that has nothing else to do.
+TEST_F(CoverageTest, TheForecastOfTimeHolds) {
+  if (!std::getenv("NOOK_TEST_LONG")) GTEST_SKIP() << "measures time: NOOK_TEST_LONG=1";
+  for (const Sampler sampler : {Sampler::independent, Sampler::sobol}) {
+    const ErrorTarget target{.error = sampler == Sampler::sobol ? .0005 : .002};
+    Scene large = scene(.5, Sampling::cosine, sampler);
+    large.width = large.height = 256;
+    const Plan made = plan(large, target);
+    PathTracer tracer(test::device(), made, mesh_, bvh_);
+    const double asked[] = {target.error};
+    const Forecast predicted = forecast(tracer, made, target, asked, 1.5);
+    const auto start = std::chrono::steady_clock::now();
+    AdaptiveRender(tracer, made, target).run();
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    std::printf("%s: predicted %.1f s, took %.1f s\n", std::string(name_of(sampler)).c_str(),
+                predicted.rows.front().seconds, seconds);
+    EXPECT_GE(seconds, 10) << "too short to say anything";
+    EXPECT_NEAR(predicted.rows.front().seconds / seconds, 1, .25);
+  }
 }
 
 TEST_F(CoverageTest, AMissedTargetIsExitCode5) {

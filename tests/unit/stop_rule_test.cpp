@@ -134,6 +134,26 @@ TEST(CountRule, IntervalsCoverAsOftenAsTheySay) {
   }
 }
 
+// What AO.variance says: the estimate, give or take 1.96 times its root. And the root is the estimate's
+// standard error.
+TEST(CountRule, TheEstimateIsAsAccurateAsItSays) {
+  for (const double error : {.02, .01, .005}) {
+    const CountRule rule({.error = error});
+    for (const double p : {.01, .02, .03, .05, .07, .1, .2, .5, .8, .9, .93, .95, .97, .98, .99}) {
+      if (std::min(p, 1 - p) < 2.9 * error || (error < .01 && std::min(p, 1 - p) > .06)) continue;
+      const auto ends = outcomes(rule, p);
+      const auto off = [&](const Outcome& end) { return rule.estimate(end.n, end.k) - p; };
+      const double covered = expectation(ends, [&](const Outcome& end) {
+        return double(std::abs(off(end)) <= rule.half_width(end.n, end.k));
+      });
+      const double square = expectation(ends, [&](const Outcome& end) { return off(end) * off(end); });
+      EXPECT_GE(covered, .93) << "error " << error << ", p " << p;
+      EXPECT_LE(covered, .97) << "error " << error << ", p " << p;
+      EXPECT_LE(std::sqrt(square), 1.01 * error) << "error " << error << ", p " << p;
+    }
+  }
+}
+
 // Where the error asked is as large as p itself, a few values of the count carry all the probability, and no
 // set of them has 95 %; the interval then covers too often rather than too seldom.
 TEST(CountRule, IntervalsOfRareEventsAreWide) {

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+
+#include "film/image.hpp"
+#include "report/run_record.hpp"
+#include "scene/scene.hpp"
+
+namespace nook {
+
+/// Says what will be rendered, and until when.
+void announce(const RunRecord& record, const StopTarget& stop);
+
+/// Says what it took.
+void announce_end(const RunRecord& record, const std::filesystem::path& output);
+
+/// Says what a stop rule reached. Returns the exit code: ExitCode::target if more was asked for.
+int announce_error(const ErrorRecord& error, bool quiet);
+
+}  // namespace nook

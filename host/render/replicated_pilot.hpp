@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "render/adaptive.hpp"
+
+namespace nook {
+
+/// A few pixels rendered as AdaptiveRender does with randomised sequences, to predict what all of them will
+/// need.
+class ReplicatedPilot {
+ public:
+  /// tracer and plan as for AdaptiveRender; positions: in pixels_in_order(), ascending.
+  ReplicatedPilot(PathTracer& tracer, const Plan& plan, const ErrorTarget& target,
+                  std::vector<std::uint32_t> positions);
+
+  /// Stage by stage until `go_on` says no, at least three. Camera samples a second, the first stage's time
+  /// left out (it loads code).
+  double run(const std::function<bool()>& go_on);
+
+  /// Mean camera samples a pixel for another error: the first stage at which its interval was narrow enough,
+  /// or the one that it will be at, along the slope that the pixels' variance fell with.
+  double samples_for(double error) const;
+  /// The same for an error at which counts are as cheap (AdaptiveRender::plan_for()).
+  double samples_as_counts(double error) const;
+
+ private:
+  void remember();
+  double rate() const;
+
+  ErrorTarget target_;
+  Randomisations randomisations_;
+  std::vector<std::unique_ptr<PixelRule>> rules_;
+  Session session_;
+  std::vector<std::uint32_t> positions_;
+  std::vector<std::uint32_t> stages_;             // camera samples of a pixel after each
+  std::vector<std::vector<double>> half_widths_;  // by stage, then pixel (the widest effect's)
+};
+
+}  // namespace nook
