@@ -172,6 +172,7 @@ bool Session::work(const std::vector<std::uint32_t>& positions, const std::vecto
                    const Randomisations::Piece& piece, const GoOn& go_on) {
   RenderCounters before = tracer_.counters();
   auto last = std::chrono::steady_clock::now();
+  bool wanted = true;  // also asked after the last launch, which leaves nothing to stop
   return tracer_.accumulate(pixels, piece.range, part_.films, [&](std::span<const Finished> finished) {
     for (const Finished& f : finished) {
       if (randomisations_.count > 1)
@@ -193,8 +194,8 @@ bool Session::work(const std::vector<std::uint32_t>& positions, const std::vecto
     const auto time = std::chrono::steady_clock::now();
     part_.render_seconds += std::chrono::duration<double>(time - last).count();
     last = time;
-    return go_on();
-  });
+    return wanted = go_on();
+  }) && wanted;
 }
 
 // What the films have more than the randomisations is this one's.
