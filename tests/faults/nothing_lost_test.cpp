@@ -148,8 +148,8 @@ TEST_F(NothingLost, SignalsFlushAndResumeGivesTheSameBits) {
 const std::string two_layers =
     "[[effect]]\ntype = \"ao\"\nmax_distance = 1.0\n[[effect]]\nname = \"ro\"\ntype = \"ro\"\nexponent = 4\n";
 const std::string renders_to_an_error[] = {
-    "render scene.toml --sampler independent --error .012", "render scene.toml --error .003",
-    "render layers.toml --sampler independent --error .02", "render layers.toml --error .008"};
+    "render scene.toml --sampler independent --error .008", "render scene.toml --error .0015",
+    "render layers.toml --sampler independent --error .02", "render layers.toml --error .004"};
 const std::string with_aovs = " --no-png --size 128x96 --aov variance,samples,normal";
 
 class NothingLostToAnError : public NothingLost {
@@ -206,7 +206,7 @@ TEST_F(NothingLostToAnError, KillsAtRandomMoments) {
 TEST_F(NothingLostToAnError, TimeIsNoEnd) {
   const std::string render = renders_to_an_error[1] + with_aovs;
   succeed(render + " -o one.exr");
-  EXPECT_EQ(run(render + " --checkpoint c.nook --time .2 -o short.exr").code, 5);
+  EXPECT_EQ(run(render + " --checkpoint c.nook --time .25 -o short.exr").code, 5);
   EXPECT_TRUE(std::filesystem::exists(folder / "short.exr"));
   succeed(render + " --checkpoint c.nook --resume -o resumed.exr");
   expect_same_picture("one.exr", "resumed.exr");

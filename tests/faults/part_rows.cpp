@@ -55,7 +55,7 @@ std::vector<BadInput> part_rows() {
        "merge a.nook -o out.exr",
        3,
        "its header does not fit",
-       {{"a.nook", std::string("nookpart\1\0\0\0\xff\xff\xff\xff", 16) + std::string(8, 0)}}},
+       {{"a.nook", std::string("nookpart\2\0\0\0\xff\xff\xff\xff", 16) + std::string(8, 0)}}},
       {"part of a newer format",
        "merge a.nook -o out.exr",
        3,

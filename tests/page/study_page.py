@@ -15,11 +15,17 @@ window.problems = [];
 window.addEventListener('error', e => window.problems.push(String(e.message)));
 for (const name of ['error', 'warn']) console[name] = (...what) => window.problems.push(what.join(' '));
 window.addEventListener('load', () => setTimeout(() => {
+  const out = {};
+  try { look(out); } catch (e) { window.problems.push(e.stack); }
+  out.problems = window.problems;
+  document.body.append(Object.assign(document.createElement('pre'), {id: 'check', textContent: JSON.stringify(out)}));
+}, 300));
+function look(out) {
   const stage = document.getElementById('stage'), box = stage.getBoundingClientRect();
   const at = (x, y) => ({clientX: box.left + x * box.width, clientY: box.top + y * box.height, bubbles: true, cancelable: true, pointerId: 1});
   const lit = () => new Set(stage.getContext('2d').getImageData(0, 0, stage.width, stage.height).data).size;
   stage.setPointerCapture = () => {};  // synthetic events have no pointer to capture
-  const out = {start: stage.dataset.view, shades: lit()};
+  Object.assign(out, {start: stage.dataset.view, shades: lit()});
   stage.dispatchEvent(new WheelEvent('wheel', {...at(.3, .4), deltaY: -600}));
   out.zoomed = stage.dataset.view;
   stage.dispatchEvent(new PointerEvent('pointerdown', at(.5, .5)));
@@ -70,9 +76,7 @@ window.addEventListener('load', () => setTimeout(() => {
   out.rows = Object.fromEntries(['cost-table', 'efficiency-table', 'adaptive-table', 'screen-table', 'fact-table'].map(id => [id, document.querySelectorAll('#' + id + ' tbody tr').length]));
   out.strips = document.querySelectorAll('#strips canvas').length;
   out.fetched = performance.getEntriesByType('resource').map(r => r.name).filter(n => !n.startsWith('data:'));
-  out.problems = window.problems;
-  document.body.append(Object.assign(document.createElement('pre'), {id: 'check', textContent: JSON.stringify(out)}));
-}, 300));
+}
 """
 
 SCENE = """[input]
