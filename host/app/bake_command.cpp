@@ -90,6 +90,8 @@ int bake(const BakeOptions& options) {
   const bool to_texture = options.to == "texture";
   const Scene scene = bake_scene(options);
   keep_inputs(scene, options.output);
+  if (!to_texture && (options.texture.size || options.texture.dilation || !options.texture.aovs.empty()))
+    throw Error(ExitCode::usage, "--size, --dilation, --aov: are of textures; they need --to texture");
   if (to_texture) check_texture_options(options.texture, scene, options.output);
   MeshAttributes attributes = needed_attributes(scene);
   attributes.uvs = attributes.uvs || to_texture;

@@ -16,6 +16,8 @@
 namespace nook {
 namespace {
 
+constexpr int default_size = 1024;
+
 bool is_png(const std::filesystem::path& file) {
   return file.extension() == ".png";
 }
@@ -87,15 +89,15 @@ void check_texture_options(const TextureOptions& options, const Scene& scene,
   if (is_png(output) && (scene.effects.size() > 1 || !options.aovs.empty()))
     throw Error(ExitCode::usage,
                 fmt::format("{}: a PNG holds one effect; name an .exr file for more", output.string()));
-  const auto texels = std::uint64_t(options.size) * std::uint64_t(options.size);
+  const int size = options.size.value_or(default_size);
+  const auto texels = std::uint64_t(size) * std::uint64_t(size);
   check_memory(texels * (180 + 140 * scene.effects.size() + 24 * options.aovs.size()),
-               fmt::format("a texture of {}x{} texels", options.size, options.size),
-               "choose a smaller --size");
+               fmt::format("a texture of {}x{} texels", size, size), "choose a smaller --size");
 }
 
 TexturePoints points_of_texture(const TextureOptions& options, const Scene& scene, const TriangleMesh& mesh) {
   try {
-    TexturePoints made = texture_points(mesh, options.size);
+    TexturePoints made = texture_points(mesh, options.size.value_or(default_size));
     if (made.overlapping)
       fmt::print(stderr, "warning: {} texels lie in more than one triangle; the first in the mesh has them\n",
                  made.overlapping);
@@ -122,7 +124,7 @@ void write_texture(const TextureOptions& options, const TexturePoints& texels, c
   if (asked.normal) add_vectors("N", texels.normals, texels, part.surface);
   if (asked.position) add_vectors("P", texels.positions, texels, part.surface);
   Image image = make_picture(part);
-  dilate(image, dilation_sources(texels.texels, texels.size, options.dilation));
+  dilate(image, dilation_sources(texels.texels, texels.size, options.dilation.value_or(8)));
   if (is_png(output))
     write_png(output, image);
   else

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,8 @@ namespace nook {
 
 /// What `nook bake --to texture` adds to a bake.
 struct TextureOptions {
-  int size = 1024;                ///< texels on a side
-  int dilation = 8;               ///< rings of texels around what is covered
+  std::optional<int> size;        ///< texels on a side; default 1024
+  std::optional<int> dilation;    ///< rings of texels around what is covered; default 8
   std::vector<std::string> aovs;  ///< "normal", "position", "variance", "samples"
 
   void add_to(CLI::App& command);

@@ -74,9 +74,11 @@ std::vector<Channel> channels_of_surface(const Plan& plan, const AovRequest& aov
   return channels;
 }
 
-// A part that can be continued, less what only its end knows.
+// What a part says of its run. It holds the samples before the denoiser, which `nook merge` does not run.
 FilmPart::Texts as_texts(const std::map<std::string, std::string>& metadata) {
-  return {metadata.begin(), metadata.end()};
+  FilmPart::Texts texts(metadata.begin(), metadata.end());
+  std::erase_if(texts, [](const auto& text) { return text.first == "nook/denoised"; });
+  return texts;
 }
 
 // Writes the picture (a shard has none yet) and the record.

@@ -73,6 +73,8 @@ StopTarget RenderOptions::check(const Scene& loaded) const {
   const auto fail = [](const char* why) { throw Error(ExitCode::usage, why); };
   if (!sampled && stop.any()) fail("--error, --time: the scene has no effect with samples");
   if (!sampled && denoise) fail("--denoise: the scene has no effect with samples");
+  if (loaded.denoise && !stop.any() && std::uint64_t(loaded.spp) * loaded.directions < 2)
+    fail("--denoise: needs two samples a pixel or more; their variance steers the filter");
   if (loaded.denoise && shard)
     fail("--denoise, --shard: a share of a picture is not denoised; render it whole, or leave denoise out");
   if (!sampled && kept) fail("--checkpoint, --resume, --shard: the scene has no effect with samples to keep");
@@ -102,6 +104,8 @@ void check_writable(const fs::path& file) {
                 fmt::format("{}: the folder {} does not exist", file.string(), folder.string()));
   if (fs::is_directory(file, code))
     throw Error(ExitCode::output, fmt::format("{}: is a folder", file.string()));
+  if (fs::exists(file, code) && !fs::is_regular_file(file, code))
+    throw Error(ExitCode::output, fmt::format("{}: not a regular file", file.string()));
   if (access(folder.c_str(), W_OK) != 0)
     throw Error(ExitCode::output,
                 fmt::format("{}: the folder {} is not writable", file.string(), folder.string()));

@@ -27,6 +27,13 @@ void update(XXH3_state_t* state, const std::vector<T>& values) {
   XXH3_128bits_update(state, values.data(), values.size() * sizeof(T));
 }
 
+// Which of the maps a material has; -1: none. Not its path: a mesh may be moved.
+std::int64_t map_of(const TriangleMesh& mesh, const Material& material) {
+  const auto map = std::find_if(mesh.opacity_maps.begin(), mesh.opacity_maps.end(),
+                                [&](const OpacityMap& m) { return m.file == material.opacity_map; });
+  return map == mesh.opacity_maps.end() ? -1 : map - mesh.opacity_maps.begin();
+}
+
 }  // namespace
 
 MeshAnalysis analyse(const TriangleMesh& mesh) {
@@ -53,10 +60,20 @@ std::string mesh_hash(const TriangleMesh& mesh) {
   update(state.get(), mesh.triangle_group);
   for (const std::string& group : mesh.groups)
     XXH3_128bits_update(state.get(), group.data(), group.size() + 1);
+  for (const Material& material : mesh.materials) {
+    XXH3_128bits_update(state.get(), material.name.data(), material.name.size() + 1);
+    XXH3_128bits_update(state.get(), &material.phong_exponent, sizeof material.phong_exponent);
+    const std::int64_t map = map_of(mesh, material);
+    XXH3_128bits_update(state.get(), &map, sizeof map);
+  }
   if (!mesh.opacity_maps.empty()) {
     update(state.get(), mesh.uvs);
     update(state.get(), mesh.triangle_uvs);
-    for (const OpacityMap& map : mesh.opacity_maps) update(state.get(), map.opacity);
+    for (const OpacityMap& map : mesh.opacity_maps) {
+      const std::uint32_t size[2] = {map.width, map.height};
+      XXH3_128bits_update(state.get(), size, sizeof size);
+      update(state.get(), map.opacity);
+    }
   }
   const XXH128_hash_t hash = XXH3_128bits_digest(state.get());
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);

@@ -179,6 +179,10 @@ void GeometryPass::draw(Pass pass, const SsaoView& view, const GBuffer& buffer) 
     gl.glCullFace(GL_FRONT);
     gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
   }
+  if (pass == Pass::second_front) {
+    gl.glEnable(GL_CULL_FACE);
+    gl.glCullFace(GL_BACK);
+  }
   const float zero[4] = {0, 0, 0, 0};
   // Positions are cleared to a far depth, so that the background is behind everything.
   const float far_position[4] = {0, 0, -1e9f, 0};

@@ -15,6 +15,7 @@ std::vector<BadInput> bake_rows() {
       {"texture of 0 texels", "bake scene.toml --to texture -o out.exr --size 0", 2, "--size"},
       {"texture with a depth", bake + " --aov depth", 2,
        "--aov: a texture has normal, position, variance and samples"},
+      {"texels of a bake to vertices", "bake scene.toml -o out.ply --size 64", 2, "they need --to texture"},
       {"bake of reflections", "bake scene.toml -o out.ply", 3, "a bake needs an effect of type ao or bent",
        scene("\"ao\"", "\"ro\"")},
   };

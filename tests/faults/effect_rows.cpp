@@ -55,6 +55,7 @@ std::vector<BadInput> effect_rows() {
        scene("\"mesh.obj\"", "\"mesh.obj\"\ncutouts = \"yes\"")},
       {"denoise of a number", render, 3, "denoise must be true or false", keys("denoise = 1")},
       {"--denoise of a share", render + " --denoise --shard 1/2", 2, "a share of a picture is not denoised"},
+      {"--denoise of one sample", render + " --denoise --spp 1", 2, "--denoise: needs two samples a pixel"},
       {"--denoise of normals", render + " --denoise", 2, "--denoise: the scene has no effect with samples",
        scene("\"ao\"", "\"normal\"")},
   };

@@ -52,7 +52,9 @@ class NothingLost : public testing::Test {
           << channel.name << " differs between " << a << " and " << b;
     }
     for (const auto& [name, value] : x.metadata)
-      if (!name.starts_with("nook/seconds")) EXPECT_EQ(y.metadata.at(name), value) << name;
+      if (!name.starts_with("nook/seconds")) {
+        EXPECT_EQ(y.metadata.at(name), value) << name;
+      }
   }
 
   TemporaryFolder folder;

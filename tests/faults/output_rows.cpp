@@ -17,6 +17,8 @@ std::vector<BadInput> output_rows() {
       {"outputs share a file", "render scene.toml -o a.exr --stats a.exr --quiet", 2, "cannot share a file"},
       {"output is the preview", "render scene.toml -o a.png --quiet", 2, "a.png: is the preview's name"},
       {"output is a device", "render scene.toml -o /dev/null --quiet", 6, "/dev/null"},
+      {"output is a full device", "render scene.toml -o /dev/full --quiet", 6,
+       "/dev/full: not a regular file"},
       {"output folder not writable", "render scene.toml -o /proc/out.exr --quiet", 6, "/proc/out.exr"},
       {"output name too long", "render scene.toml --quiet -o " + std::string(300, 'x') + ".exr", 6,
        "File name too long"},

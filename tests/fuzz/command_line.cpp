@@ -1,11 +1,9 @@
 #include <filesystem>
 #include <sstream>
 
-#include "app/checkpoints.hpp"
 #include "app/commands.hpp"
 #include "app/progress.hpp"
-#include "app/scene_options.hpp"
-#include "app/target_options.hpp"
+#include "app/render_options.hpp"
 #include "base/error.hpp"
 #include "readers.hpp"
 #include "render/picture.hpp"
@@ -25,25 +23,15 @@ std::vector<std::string> arguments_of(const std::string& text) {
 // The options of a render applied to the scene `file`, whatever scene the command line names.
 void apply_options(std::vector<std::string> arguments, const std::filesystem::path& file) {
   CLI::App app;
-  SceneOptions scene;
-  DeviceOptions device;
-  CheckpointOptions checkpoints;
-  TargetOptions target;
-  std::vector<std::string> aovs;
-  std::string progress = "auto";
-  scene.add_to(app);
-  device.add_to(app);
-  checkpoints.add_to(app);
-  target.add_to(app);
-  app.add_option("--aov", aovs)->delimiter(',');
-  app.add_option("--progress", progress);
+  RenderOptions options;
+  options.add_to(app);
   app.parse(std::move(arguments));
-  scene.scene = file;
-  to_toml(scene.load());
-  target.check();
-  parse_aovs(aovs);
-  parse_progress(progress);
-  checkpoints.share();
+  options.scene.scene = file;
+  const Scene scene = options.scene.load();
+  to_toml(scene);
+  options.check(scene);
+  parse_aovs(options.aovs);
+  parse_progress(options.progress);
 }
 
 }  // namespace

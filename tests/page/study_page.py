@@ -161,7 +161,7 @@ def main():
         if len(sys.argv) < 3:
             (folder / "corner.toml").write_text(SCENE)
             (folder / "corner.obj").write_text(MESH)
-            study = [sys.argv[1], "study", str(folder / "corner.toml"), "-o", str(folder / "study"), "--budget", "12", "--max-spp", "64", "--quiet"]
+            study = [sys.argv[1], "study", str(folder / "corner.toml"), "-o", str(folder / "study"), "--budget", "20", "--max-spp", "64", "--quiet"]
             subprocess.run(study, check=True)
             header = (folder / "study" / "study.csv").read_text().splitlines()[0].split(",")
             assert header[:6] == ["method", "family", "sampling", "sampler", "directions", "level"], header

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "nook_program.hpp"
+#include "temporary_folder.hpp"
 
 namespace nook::test {
 namespace {
@@ -18,9 +19,9 @@ std::vector<std::filesystem::path> shipped_scenes() {
   return scenes;
 }
 
-class ShippedScene : public ::testing::TestWithParam<std::filesystem::path> {};
+class ShippedScenePlan : public ::testing::TestWithParam<std::filesystem::path> {};
 
-TEST_P(ShippedScene, IsExplained) {
+TEST_P(ShippedScenePlan, IsExplained) {
   const TemporaryFolder folder;
   const ProgramResult run = run_nook(folder, "plan --json '" + GetParam().string() + "'");
   if (run.exit_code == 3 && run.err.find("generated/") != std::string::npos &&
@@ -43,12 +44,29 @@ TEST_P(ShippedScene, IsExplained) {
   EXPECT_EQ(left_out.find("no OpenGL") == std::string::npos, ssao) << left_out;
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, ShippedScene, ::testing::ValuesIn(shipped_scenes()), [](const auto& scene) {
-  std::string name = scene.param.parent_path().filename().string() + "_" + scene.param.stem().string();
-  std::replace_if(
-      name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
-  return name;
-});
+// No sample of it is NaN or infinite: such samples are kept out of the film, and counted.
+TEST_P(ShippedScenePlan, RejectsNoSample) {
+  const TemporaryFolder folder;
+  const std::string scene = "'" + GetParam().string() + "'";
+  const ProgramResult planned = run_nook(folder, "plan --json " + scene);
+  if (planned.exit_code != 0) GTEST_SKIP() << "its mesh has not been generated";
+  const bool traced = !nlohmann::json::parse(planned.out)["kernels"].empty();
+  const std::string out = (folder / "out.exr").string(), record = (folder / "stats.json").string();
+  const ProgramResult run = run_nook(folder, "render " + scene + " --size 80x60 --no-png --quiet -o '" + out +
+                                                 "' --stats '" + record + "'" + (traced ? " --spp 4" : ""));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto stats = nlohmann::json::parse(read_bytes(record));
+  EXPECT_EQ(stats.at("rejected_samples"), 0);
+  EXPECT_EQ(stats.at("rays").at("camera") > 0, traced);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, ShippedScenePlan, ::testing::ValuesIn(shipped_scenes()), [](const auto& scene) {
+      std::string name = scene.param.parent_path().filename().string() + "_" + scene.param.stem().string();
+      std::replace_if(
+          name.begin(), name.end(), [](unsigned char c) { return !std::isalnum(c); }, '_');
+      return name;
+    });
 
 }  // namespace
 }  // namespace nook::test

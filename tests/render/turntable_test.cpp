@@ -78,7 +78,7 @@ TEST(TurntableOfAMesh, TurnsTheFramingCamera) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, Turntable, ::testing::Values(offline, screen_space),
-                         [](const auto& info) { return info.index == 0 ? "Offline" : "ScreenSpace"; });
+                         [](const auto& scene) { return scene.index == 0 ? "Offline" : "ScreenSpace"; });
 
 }  // namespace
 }  // namespace nook::test

@@ -31,7 +31,9 @@ TEST(Deadline, EndsWithinFivePercentOrAFifthOfASecond) {
     for (const double end : {.1, .3, 1., 5., 60.}) {
       const double at = stops_at(rate, end);
       EXPECT_NEAR(at, end, std::max(.05 * end, .2)) << rate << " rays a second";
-      if (rate >= 3e6 && end >= .3) EXPECT_NEAR(at, end, .03 * end) << rate << " rays a second";
+      if (rate >= 3e6 && end >= .3) {
+        EXPECT_NEAR(at, end, .03 * end) << rate << " rays a second";
+      }
     }
 }
 

@@ -85,7 +85,7 @@ TEST(Denoise, TheRangeNeverWidens) {
   }
 }
 
-// A wall beside the floor, a floor one unit higher, and background: nothing passes between them.
+// A wall beside the floor, a floor forty units higher, and background: nothing passes between them.
 TEST(Denoise, EdgesBetweenSurfacesAreKept) {
   for (int edge = 0; edge < 3; ++edge) {
     Surfaces surfaces;
