@@ -186,6 +186,9 @@ def main(folder):
         [[l["option"], f"{l['seconds']:.3f}", f"{l['time_ratio']:.2f} {spread(l['time_ratios'])}", l["clock"]] for l in options(folder)])
     text["micro"] = table(
         ["benchmark", "ns an item"], [[r["run_name"].removesuffix("/real_time"), f"{1e9 / r['items_per_second']:.2f}"] for r in micro(folder)])
+    text["effects"] = table(
+        ["against plain AO", "time [least, greatest]", "rays", "clock"],
+        [[l["case"], f"{l['ratio']:.2f} {spread([l['least'], l['greatest']])}", f"{l['rays'] / l['rays_of_plain']:.2f}", "cpu" if l["cpu_time"] else "wall"] for l in read(folder, "effects", lambda l: l["case"])])
     machine = folder / "machine.txt"
     if machine.exists():
         text["machine"] = machine.read_text(encoding="utf-8")

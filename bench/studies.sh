@@ -1,5 +1,5 @@
 #!/bin/sh
-# Measures the kept studies again and draws the chart of the front page; some seven minutes, on a machine that does nothing else.
+# Measures the kept studies again and draws the chart of the front page; some five minutes, on a machine that does nothing else.
 #   bench/studies.sh [NOOK]     default: build/bin/nook; the scenes must be generated
 set -eu
 cd "$(dirname "$0")/.."
@@ -7,7 +7,7 @@ nook=${1:-build/bin/nook}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 kept=
-for study in cbox_ao_cosine:90 cbox_ro:90 spaceship_ao_cosine:90 room_ao:120; do
+for study in cbox_ao_cosine:70 cbox_ro:60 spaceship_ao_cosine:60 room_ao:100; do
   name=${study%:*}
   "$nook" study "scenes/$name.toml" -o "$work/$name" --budget "${study#*:}"
   mkdir -p "bench/studies/$name"
