@@ -110,6 +110,9 @@ def draw(errors, times, file):
                     if quality != "assigned":
                         points.append(point)
                 axes.plot([p[0] for p in points], [p[1] for p in points], "-", color=colour, lw=1.4)
+            if not axes.lines or all(len(line.get_xdata()) == 0 for line in axes.lines):
+                axes.set_visible(False)  # not measured
+                continue
             axes.set_xscale("log")
             axes.set_yscale("log")
             axes.grid(True, which="both", color="#dddddd", lw=0.5)
