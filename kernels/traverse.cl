@@ -7,7 +7,7 @@
 //   void closest_from(BVH_PARAMS, float3 origin, const RayDirections* d, uint active,
 //                     float* t, uint* triangle, float* u, float* v)
 //     t[k]: on entry the limit, on return the distance of the first hit; triangle[k]: NO_TRIANGLE for a miss;
-//     hit = (1-u-v) p0 + u p1 + v p2. Only the entries in `active` are written.
+//     hit = (1-u-v) p0 + u p1 + v p2. The entries that are not in `active` mean nothing afterwards.
 //   void closest_rays(BVH_PARAMS, const RayDirections* origins, const RayDirections* d, uint active, ...)
 //     the same for rays with an origin each.
 //   bool occluded_ray(BVH_PARAMS, float3 o, float3 d, float max_distance)

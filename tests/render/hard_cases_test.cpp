@@ -393,7 +393,7 @@ TEST(HardCasesOnce, TenMillionTriangles) {
     EXPECT_EQ(film.hits[i], 64u);
     open += film.sum[i] >> 32;
   }
-  EXPECT_LE(open, 16u) << "of " << 64 * film.pixels() << " rays";
+  EXPECT_LE(open, 4u) << "of " << 64 * film.pixels() << " rays";
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   std::printf(
