@@ -18,7 +18,7 @@ Effect ao_within(DistanceLimit limit) {
   return effect;
 }
 
-// Gives every triangle the map; quads as add_parallelogram() makes them have the whole of it.
+// Gives every triangle the map; quads as add_quad() makes them have the whole of it.
 void map_onto(TriangleMesh& mesh, OpacityMap map) {
   mesh.uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   mesh.triangle_uvs.clear();
@@ -99,7 +99,7 @@ Traced trace(const TriangleMesh& mesh, Traversal traversal,
 TriangleMesh sheets() {
   TriangleMesh mesh;
   for (int i = 0; i < 6; ++i)
-    add_parallelogram(mesh, {-2, -1.5f, 0.5f * float(i) - 2}, {4, 0, 0.2f * float(i)},
+    add_quad(mesh, {-2, -1.5f, 0.5f * float(i) - 2}, {4, 0, 0.2f * float(i)},
                       {0, 3, 0.1f * float(i)});
   return mesh;
 }

@@ -27,7 +27,7 @@ TEST(BentNormal, OpenIsTheNormal) {
 // A wall x = 1 beside the receiver leaves the quarter x < 0. ∫ω cosθ over it is (-2/3, 0, π/3), ∫cosθ is π/2.
 TEST(BentNormal, BesideAWallLeansAwayFromIt) {
   TriangleMesh wall;
-  add_parallelogram(wall, {1, -2000, 0}, {0, 4000, 0}, {0, 0, 2000});
+  add_quad(wall, {1, -2000, 0}, {0, 4000, 0}, {0, 0, 2000});
   const Film film = estimate_at_origin(wall, bent());
   const BentCone cone = bent_cone(film, 0);
   const double length = std::sqrt(4 + M_PI * M_PI);
@@ -58,7 +58,7 @@ TEST(BentNormal, ClosedHasNone) {
 // Sums are integers: one launch or many, the same bits; and view space is world space, turned.
 TEST(BentNormal, SplitRunsHaveTheSameBits) {
   TriangleMesh mesh = plane_at(0);
-  add_parallelogram(mesh, {1, -1, 0}, {0, 2, 0}, {0, 0, 2});
+  add_quad(mesh, {1, -1, 0}, {0, 2, 0}, {0, 0, 2});
   Scene scene;
   scene.camera = {{0.5f, 3, 5}, {0, 0, 0}, {0, 1, 0}, 40};
   scene.width = 24;

@@ -6,25 +6,15 @@
 #include "bvh/bvh.hpp"
 #include "render/path_tracer.hpp"
 #include "render/points.hpp"
+#include "ssao_scenes.hpp"
 #include "support/kernels.hpp"
 
 namespace nook::test {
 
-/// Appends the parallelogram p, p+u, p+u+v, p+v.
-inline void add_parallelogram(TriangleMesh& mesh, const vec3& p, const vec3& u, const vec3& v) {
-  const auto first = std::uint32_t(mesh.positions.size());
-  for (const vec3& corner : {p, p + u, p + u + v, p + v}) {
-    mesh.positions.push_back(corner);
-    mesh.bounds.add(corner);
-  }
-  mesh.triangles.push_back({first, first + 1, first + 2});
-  mesh.triangles.push_back({first, first + 2, first + 3});
-}
-
 /// The plane z = height within +-1000: endless for rays of a few units.
 inline TriangleMesh plane_at(float height) {
   TriangleMesh mesh;
-  add_parallelogram(mesh, {-1000, -1000, height}, {2000, 0, 0}, {0, 2000, 0});
+  add_quad(mesh, {-1000, -1000, height}, {2000, 0, 0}, {0, 2000, 0});
   return mesh;
 }
 

@@ -91,7 +91,7 @@ TEST(EffectSettings, ConeOfDirections) {
 TEST(EffectSettings, InsideLooksTheOtherWay) {
   TriangleMesh slab = plane_at(0);
   const TriangleMesh bottom = plane_at(-1);
-  add_parallelogram(slab, bottom.positions[0], bottom.positions[1] - bottom.positions[0],
+  add_quad(slab, bottom.positions[0], bottom.positions[1] - bottom.positions[0],
                     bottom.positions[3] - bottom.positions[0]);
   Effect effect = ao_within(2);
   EXPECT_EQ(estimate_at_origin(slab, effect).value(0), 1);
@@ -102,7 +102,7 @@ TEST(EffectSettings, InsideLooksTheOtherWay) {
 // What camera rays find, too: from above, the slab's inside is the same everywhere.
 TEST(EffectSettings, InsideOfASlabUnderTheCamera) {
   TriangleMesh slab = plane_at(0);
-  add_parallelogram(slab, {-1000, -1000, -1}, {2000, 0, 0}, {0, 2000, 0});
+  add_quad(slab, {-1000, -1000, -1}, {2000, 0, 0}, {0, 2000, 0});
   Scene scene;
   scene.camera = {{0.3f, 0.4f, 5}, {0, 0, 0}, {0, 1, 0}, 40};
   scene.width = scene.height = 16;
@@ -123,7 +123,7 @@ TEST(EffectSettings, InsideOfASlabUnderTheCamera) {
 // the viewer's is open.
 TEST(EffectSettings, ViewersSide) {
   TriangleMesh mesh = plane_at(0);
-  add_parallelogram(mesh, {-1000, -1000, 1}, {2000, 0, 0}, {0, 2000, 0});
+  add_quad(mesh, {-1000, -1000, 1}, {2000, 0, 0}, {0, 2000, 0});
   Scene scene;
   scene.camera = {{0.3f, 0.4f, -5}, {0, 0, 0}, {0, 1, 0}, 40};
   scene.width = scene.height = 8;
