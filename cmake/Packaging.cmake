@@ -26,5 +26,5 @@ set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Loaded at run time, so that no link tells: the OpenCL loader, a device for it, and OSMesa for SSAO.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "ocl-icd-libopencl1 | libopencl1, pocl-opencl-icd | opencl-icd")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libosmesa6, glmark2-data")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libosmesa6, glmark2-data, libjs-chart.js")
 include(CPack)

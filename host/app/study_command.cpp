@@ -26,10 +26,11 @@ struct StudyOptions {
   SceneOptions scene;
   DeviceOptions device;
   fs::path folder, reference;
+  std::optional<fs::path> chart_js;
   double budget = 120;
   std::vector<std::string> samplers, samplings;
   std::uint32_t max_spp = 1024;
-  bool gallery = true, quiet = false;
+  bool gallery = true, no_plots = false, quiet = false;
 };
 
 // The budget's parts. Loading and building come out of what the runs have.
@@ -152,6 +153,10 @@ int study(const StudyOptions& options) {
     if (!options.quiet) fmt::print(stderr, "{:6.1f} s  {}\n", elapsed(), text);
   };
   const Scene scene = options.scene.load();
+  const PlotLibrary library = options.no_plots ? PlotLibrary{} : load_plot_library(options.chart_js);
+  if (!options.no_plots && library.script.empty())
+    fmt::print(stderr,
+               "warning: tables instead of plots on the page: Debian's libjs-chart.js is not installed\n");
   const StudyChoice choice = choice_of(options, scene.effects.front().kind);
   const fs::path folder =
       options.folder.empty() ? fs::path(options.scene.scene.stem().string() + "_study") : options.folder;
@@ -226,14 +231,14 @@ int study(const StudyOptions& options) {
   if (options.gallery) {
     const double share = std::max(0.1, std::min(gallery_share * options.budget, options.budget - elapsed()));
     std::tie(gallery.width, gallery.height) =
-        size_of(scene, std::clamp(rate * share / 1200, 2000.0, 480.0 * 360.0));
+        size_of(scene, std::clamp(rate * share / 2500, 2000.0, 480.0 * 360.0));
     const StudyScene picture(device, scene, mesh, bvh, gallery.width, gallery.height);
     gallery.pictures = make_gallery(picture, share, scene.seed + 1);
     say(fmt::format("pictures of {}x{}", gallery.width, gallery.height));
   }
   const float exponent = at_size.effect().effect.exponent;
   const fs::path page = folder / "index.html";
-  write_study_page(page, made, facts, gallery, warp_patterns(device, exponent));
+  write_study_page(page, made, facts, gallery, warp_patterns(device, exponent), library);
   say(fmt::format("{}", page.string()));
   return 0;
 }
@@ -259,6 +264,13 @@ void add_study_command(CLI::App& app, Command& chosen_command) {
   command->add_option("--reference", options->reference,
                       "EXR to measure errors against (R, and AO.variance if there is one)");
   command->add_flag("--gallery,!--no-gallery", options->gallery, "Pictures on the page; on by default");
+  CLI::Option* no_plots =
+      command->add_flag("--no-plots", options->no_plots, "Tables instead of plots on the page");
+  command
+      ->add_option(
+          "--chart-js", options->chart_js,
+          fmt::format("Chart.js 3 for the page's plots; default: {}, if it is there", debian_chart_js))
+      ->excludes(no_plots);
   command->add_flag("--quiet", options->quiet, "Say nothing but errors");
   command->callback([options, &chosen_command] { chosen_command = [options] { return study(*options); }; });
 }

@@ -6,20 +6,19 @@
 namespace nook {
 namespace {
 
-// Density of Student's distribution.
-double student_density(double t, double n) {
-  return std::exp(std::lgamma(0.5 * (n + 1)) - std::lgamma(0.5 * n)) / std::sqrt(n * std::numbers::pi) *
-         std::pow(1 + t * t / n, -0.5 * (n + 1));
+// Density of Student's distribution but for its constant.
+double student_shape(double t, double n) {
+  return std::pow(1 + t * t / n, -0.5 * (n + 1));
 }
 
-// P(0 < T < t): Simpson's rule in x with t = x / (1 - x), whose integrand is smooth and bounded.
-double student_half(double t, double n) {
-  constexpr int steps = 2000;
+// Its integral from 0 to t: Simpson's rule in x with t = x / (1 - x), whose integrand is smooth and bounded.
+double student_area(double t, double n) {
+  constexpr int steps = 500;
   const double end = t / (1 + t), h = end / steps;
   double sum = 0;
   for (int i = 0; i <= steps; ++i) {
     const double x = i * h, weight = i == 0 || i == steps ? 1 : i % 2 ? 4 : 2;
-    sum += weight * student_density(x / (1 - x), n) / ((1 - x) * (1 - x));
+    sum += weight * student_shape(x / (1 - x), n) / ((1 - x) * (1 - x));
   }
   return sum * h / 3;
 }
@@ -41,12 +40,16 @@ double normal_quantile(double confidence) {
 }
 
 double student_quantile(double confidence, unsigned degrees) {
-  double low = 0, high = 1e4;
-  for (int step = 0; step < 60; ++step) {
-    const double middle = 0.5 * (low + high);
-    (2 * student_half(middle, degrees) < confidence ? low : high) = middle;
+  // Newton on the distribution, which is concave right of 0: it never overshoots.
+  const double n = degrees, scale = 2 / std::sqrt(n * std::numbers::pi) *
+                                    std::exp(std::lgamma(0.5 * (n + 1)) - std::lgamma(0.5 * n));
+  double t = 0;
+  for (int step = 0; step < 200; ++step) {
+    const double change = (confidence - scale * student_area(t, n)) / (scale * student_shape(t, n));
+    t += change;
+    if (std::abs(change) < 1e-12 * (1 + t)) break;
   }
-  return 0.5 * (low + high);
+  return t;
 }
 
 }  // namespace nook

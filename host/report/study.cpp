@@ -17,6 +17,12 @@ double median(std::vector<double> values) {
   return values[(values.size() - 1) / 2];
 }
 
+double mean(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double v : values) sum += v;
+  return values.empty() ? 0 : sum / double(values.size());
+}
+
 template <class Get>
 std::vector<double> of_runs(const StudyPoint& point, Get get) {
   std::vector<double> values;
@@ -46,8 +52,9 @@ PointSummary summarise(const StudyPoint& point) {
   s.wall_seconds = median(of_runs(point, [](const StudyRun& r) { return r.wall_seconds; }));
   s.device_seconds = median(of_runs(point, [](const StudyRun& r) { return r.device_seconds; }));
   s.rays = median(of_runs(point, [](const StudyRun& r) { return r.rays; }));
-  s.covered = mean_band(of_runs(point, [](const StudyRun& r) { return r.covered; })).value;
-  s.error_claimed = mean_band(of_runs(point, [](const StudyRun& r) { return r.error_claimed; })).value;
+  s.covered = mean(of_runs(point, [](const StudyRun& r) { return r.covered; }));
+  s.error_claimed = mean(of_runs(point, [](const StudyRun& r) { return r.error_claimed; }));
+  s.mean_error = mean(of_runs(point, [](const StudyRun& r) { return r.mean_error; }));
   const double cost = s.rmse.value * s.rmse.value * s.wall_seconds;
   s.efficiency = cost > 0 ? 1 / cost : 0;
   return s;

@@ -28,7 +28,8 @@ struct StudyMethod {
   std::uint32_t directions = 1;   ///< occlusion rays a camera ray
   std::vector<double> levels;     ///< fixed: spp; adaptive: error asked; ssao: samples. In the order of cost
   bool random = true;             ///< otherwise runs differ in time alone
-  double predicted_variance = 0;  ///< of one sample, the mean over pixels, by formula; 0: there is none
+  double predicted_variance = 0;  ///< of one sample, the mean over pixels; 0: there is none
+  std::string prediction;         ///< the formula, or how else it was predicted
   std::function<StudyPicture(double level, std::uint32_t seed)> render;
 };
 
@@ -63,8 +64,8 @@ struct StudyPoint {
 /// What the runs of a point say together.
 struct PointSummary {
   Band rmse;
-  double wall_seconds = 0, device_seconds = 0, rays = 0;  ///< medians
-  double covered = -1, error_claimed = 0;                 ///< means
+  double wall_seconds = 0, device_seconds = 0, rays = 0;   ///< medians
+  double covered = -1, error_claimed = 0, mean_error = 0;  ///< means
   double efficiency = 0;  ///< 1 / (mean square error x wall seconds), 1/s; 0 if not positive
 };
 PointSummary summarise(const StudyPoint& point);

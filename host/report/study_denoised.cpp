@@ -29,11 +29,11 @@ StudyMethod StudyScene::denoised(std::uint32_t max_spp) const {
   method.name = "denoised " + method.sampling + " " + method.sampler;
   // Of fewer samples the variance that steers the filter is not known.
   for (std::uint32_t spp = 4; spp <= std::min(max_spp, 256u); spp *= 4) method.levels.push_back(spp);
-  struct Program {
+  struct Prepared {
     Plan plan;
     std::unique_ptr<PathTracer> tracer;
   };
-  const auto program = std::make_shared<Program>(Program{plan_with(sampling, Sampler::sobol, 1), nullptr});
+  const auto program = std::make_shared<Prepared>(Prepared{plan_with(sampling, Sampler::sobol, 1), nullptr});
   program->plan.effects.resize(1);
   method.render = [this, program](double level, std::uint32_t seed) {
     Plan& plan = program->plan;

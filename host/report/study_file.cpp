@@ -49,12 +49,7 @@ json of_summary(const StudyPoint& point) {
           {"covered", s.covered},
           {"error_claimed", s.error_claimed},
           {"efficiency", s.efficiency},
-          {"mean_error", mean_band([&] {
-                           std::vector<double> values;
-                           for (const StudyRun& run : point.runs) values.push_back(run.mean_error);
-                           return values;
-                         }())
-                             .value}};
+          {"mean_error", s.mean_error}};
 }
 
 // log error against log cost over the points from 4 samples on, where the noise and not the overhead of a
@@ -78,8 +73,9 @@ json of_method(const Study& study, const StudyMethod& method) {
             {"sampler", method.sampler},
             {"directions", method.directions},
             {"predicted_variance", method.predicted_variance},
+            {"prediction", method.prediction},
             {"points", json::array()}};
-  std::vector<CostPoint> by_seconds, by_rays, to_fit_seconds, to_fit_rays;
+  std::vector<CostPoint> by_seconds, to_fit_seconds, to_fit_device, to_fit_rays;
   for (const StudyPoint& point : study.points()) {
     if (point.method != method.name || point.runs.empty()) continue;
     j["points"].push_back(of_summary(point));
@@ -87,10 +83,12 @@ json of_method(const Study& study, const StudyMethod& method) {
     by_seconds.push_back({s.wall_seconds, s.rmse.value});
     if (method.family == StudyMethod::Family::adaptive || point.level >= 4) {
       to_fit_seconds.push_back({s.wall_seconds, s.rmse.value});
+      to_fit_device.push_back({s.device_seconds, s.rmse.value});
       to_fit_rays.push_back({s.rays, s.rmse.value});
     }
   }
   j["fit_seconds"] = fit(to_fit_seconds);
+  j["fit_device_seconds"] = fit(to_fit_device);
   j["fit_rays"] = fit(to_fit_rays);
   for (const double error : errors_of_interest) {
     const auto cost = cost_of_error(by_seconds, error);

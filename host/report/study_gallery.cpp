@@ -8,6 +8,8 @@
 namespace nook {
 namespace {
 
+constexpr double gallery_spp = 128;
+
 double rmse(const std::vector<float>& image, const StudyReference& reference) {
   double sum = 0, variance = 0;
   for (std::size_t i = 0; i < image.size(); ++i) {
@@ -23,25 +25,44 @@ double whole_level(const StudyMethod& method, double spp) {
   return std::exp2(std::clamp(std::round(std::log2(std::max(spp, 1.0))), 0.0, 13.0));
 }
 
+bool is_adaptive(const StudyMethod& method) {
+  return method.family == StudyMethod::Family::adaptive;
+}
+
 struct Shown {
   GalleryPicture picture;
-  double seconds = 0, error = 0;
+  double level = 0, seconds = 0, error = 0;
 };
 
 Shown show(const StudyMethod& method, double level, std::uint32_t seed, const StudyReference& reference,
            const std::string& group) {
   StudyPicture made = method.render(level, seed);
   Shown shown;
+  shown.level = level;
   shown.seconds = made.wall_seconds;
   shown.error = rmse(made.image, reference);
-  const std::string effort = method.family == StudyMethod::Family::adaptive
-                                 ? fmt::format("error {:.3g} asked", level)
+  const std::string effort = is_adaptive(method) ? fmt::format("error {:.3g} asked", level)
                              : method.family == StudyMethod::Family::ssao ? fmt::format("{} samples", level)
                                                                           : fmt::format("{} spp", level);
   shown.picture = {group, method.name,
                    fmt::format("{}, {:.2f} s, RMSE {:.4f}", effort, shown.seconds, shown.error),
                    std::move(made.image), std::move(made.samples)};
   return shown;
+}
+
+// A second try where the first was off by more than a fifth: the levels that lead to a time or an error are
+// known only roughly before.
+Shown show_near(const StudyMethod& method, double level, std::uint32_t seed, const StudyReference& reference,
+                const std::string& group, double wanted, double Shown::*measured) {
+  Shown first = show(method, level, seed, reference, group);
+  const double times = first.*measured / wanted;
+  if (times > 1 / 1.2 && times < 1.2) return first;
+  const bool of_time = measured == &Shown::seconds;
+  const double next =
+      !is_adaptive(method)
+          ? whole_level(method, of_time ? level / times : level * times * times)
+          : std::clamp(of_time ? level * std::pow(times, 1 / 1.6) : level / times, 0.001, 0.5);
+  return next == level ? std::move(first) : show(method, next, seed, reference, group);
 }
 
 }  // namespace
@@ -53,29 +74,26 @@ std::vector<GalleryPicture> make_gallery(const StudyScene& scene, double seconds
   const StudyMethod best = scene.path_traced(best_sampling, Sampler::sobol, 1, 1024);
   const std::vector<StudyMethod> others = {
       scene.path_traced(ro ? Sampling::cosine : Sampling::sphere, Sampler::independent, 1, 1024),
-      scene.path_traced(best_sampling, Sampler::independent, 1, 1024)};
-  const StudyMethod adaptive = scene.adaptive(Sampler::sobol);
+      scene.path_traced(best_sampling, Sampler::independent, 1, 1024), scene.adaptive(Sampler::sobol)};
 
   std::vector<GalleryPicture> pictures = {
       {"reference", "reference", fmt::format("{} spp", reference.spp), reference.image, {}}};
-  const Shown in_time = show(best, 32, seed, reference, "equal time"),
-              to_error = show(best, 16, seed, reference, "equal error");
+  // No less than what an adaptive render takes at least.
+  const Shown in_time = show(best, gallery_spp, seed, reference, "equal time"),
+              to_error = show(best, gallery_spp, seed, reference, "equal error");
   std::vector<GalleryPicture> equal_time, equal_error;
   for (const StudyMethod& method : others) {
-    const double seconds_a_sample = method.render(4, seed).wall_seconds / 4;
-    Shown timed =
-        show(method, whole_level(method, in_time.seconds / seconds_a_sample), seed, reference, "equal time");
+    const double first = is_adaptive(method) ? to_error.error : gallery_spp;
+    const Shown timed =
+        show_near(method, first, seed, reference, "equal time", in_time.seconds, &Shown::seconds);
+    equal_time.push_back(timed.picture);
     // Independent samples: the squared error falls as their number rises.
-    const double spp = in_time.seconds / seconds_a_sample * std::pow(timed.error / to_error.error, 2);
-    if (spp * seconds_a_sample < 0.3 * seconds)
-      equal_error.push_back(show(method, whole_level(method, spp), seed, reference, "equal error").picture);
-    equal_time.push_back(std::move(timed.picture));
+    const double excess = std::pow(timed.error / to_error.error, 2);
+    if (!is_adaptive(method) && excess * timed.seconds > 0.2 * seconds) continue;
+    const double level = is_adaptive(method) ? to_error.error : whole_level(method, timed.level * excess);
+    equal_error.push_back(
+        show_near(method, level, seed, reference, "equal error", to_error.error, &Shown::error).picture);
   }
-  Shown adapted = show(adaptive, to_error.error, seed, reference, "equal error");
-  const double error_in_time =
-      std::clamp(to_error.error * std::sqrt(adapted.seconds / in_time.seconds), 0.002, 0.5);
-  equal_time.push_back(show(adaptive, error_in_time, seed, reference, "equal time").picture);
-  equal_error.push_back(std::move(adapted.picture));
   equal_time.push_back(in_time.picture);
   equal_error.push_back(to_error.picture);
   for (auto* group : {&equal_time, &equal_error})

@@ -20,8 +20,6 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-constexpr std::uint32_t reference_seed =
-    0x7265666fu;  // far from the runs' seeds, which count up from the study's
 constexpr std::uint32_t reference_scrambles = 16;
 
 std::uint64_t rays(const RenderCounters& c) {
@@ -56,13 +54,6 @@ Scene studied(const Scene& scene, int width, int height) {
 }
 
 }  // namespace
-
-// Variances of one sample, the mean over pixels.
-struct StudyScene::Variances {
-  double mean_square_value = 0;  // mean over pixels of the squared value
-  double value = 0;              // mean over pixels
-  double second_moment = 0;      // AO: mean over pixels of M = E[V cos] under the cosine distribution
-};
 
 // A method's kernels, built before its first run: a study that is interrupted, or only counts its methods,
 // need not build what it does not use.
@@ -195,28 +186,6 @@ StudyMethod StudyScene::screen_space(SsaoSettings::Method kind,
   return method;
 }
 
-// From a run of hemisphere samples, whose second moment is 2M (kernels/ambient.cl), with random numbers of
-// its own.
-StudyScene::Variances StudyScene::variances() const {
-  constexpr std::uint32_t spp = 256;
-  Plan plan = plan_with(Sampling::hemisphere, Sampler::independent, 1);
-  plan.spp = spp;
-  plan.seed = reference_seed + 1000;
-  PathTracer tracer(device_, plan, mesh_, bvh_);
-  std::vector<Film> films = tracer.make_films();
-  tracer.accumulate(pixels_in_order(plan.window, plan.width), {0, spp}, films);
-  const Film& film = films.front();
-  Variances v;
-  for (std::size_t i = 0; i < film.pixels(); ++i) {
-    const double mean = film.value(i);
-    v.value += mean / double(film.pixels());
-    v.mean_square_value += (mean * mean - film.variance(i)) / double(film.pixels());
-    v.second_moment +=
-        0.5 * double(film.sum_square[i]) / (double(film.square_scale) * spp) / double(film.pixels());
-  }
-  return v;
-}
-
 std::vector<StudyMethod> StudyScene::methods(const StudyChoice& choice) const {
   const EffectPlan& effect = plan_.effects.front();
   const bool ro = effect.effect.kind == EffectKind::ro;
@@ -236,15 +205,7 @@ std::vector<StudyMethod> StudyScene::methods(const StudyChoice& choice) const {
       methods.push_back(path_traced(sampling, sampler, 1, choice.max_spp));
     }
   if (!chosen) methods.push_back(path_traced(all_samplings.front(), Sampler::sobol, 16, choice.max_spp));
-  if (!ro && choice.predictions) {
-    const Variances v = variances();
-    for (StudyMethod& method : methods) {
-      const double moment =
-          method.sampling == "cosine" ? v.value : (method.sampling == "hemisphere" ? 2 : 4) * v.second_moment;
-      if (method.sampler == "independent" && method.directions == 1)
-        method.predicted_variance = moment - v.mean_square_value;
-    }
-  }
+  if (choice.predictions) predict(methods);
   if (!chosen) methods.push_back(denoised(choice.max_spp));
   if (choice.adaptive)
     for (const Sampler sampler : {Sampler::independent, Sampler::sobol}) methods.push_back(adaptive(sampler));

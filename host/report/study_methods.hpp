@@ -52,10 +52,16 @@ class StudyScene {
   double samples_per_second() const;
 
  private:
-  struct Variances;
+  // far from the runs' seeds, which count up from the study's
+  static constexpr std::uint32_t reference_seed = 0x7265666fu, moments_seed = reference_seed + 1000;
+  // Means over pixels: of the value, of its square, of a sample's square.
+  struct Moments {
+    double value = 0, mean_square_value = 0, second = 0;
+  };
   struct Program;
   Plan plan_with(Sampling sampling, Sampler sampler, std::uint32_t directions) const;
-  Variances variances() const;
+  Moments moments(Sampling sampling, float exponent) const;
+  void predict(std::vector<StudyMethod>& methods) const;
   StudyMethod screen_space(SsaoSettings::Method method, std::optional<SsaoSettings::Quality> quality) const;
 
   const Device& device_;

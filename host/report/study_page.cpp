@@ -102,31 +102,35 @@ std::vector<WarpPattern> warp_patterns(const Device& device, float exponent) {
   for (const auto& [name, warp] : all) {
     WarpPattern& pattern = patterns.emplace_back();
     pattern.name = warp == Warp::cosine_power ? fmt::format("lobe, exponent {}", exponent) : name;
-    for (const vec3& w : warps.map(warp, u, exponent)) pattern.points.push_back(vec2(w));
+    for (const vec3& w : warps.map(warp, u, exponent)) pattern.points.push_back(w);
   }
   return patterns;
 }
 
 void write_study_page(const std::filesystem::path& path, const Study& study, const StudyFacts& facts,
-                      const Gallery& gallery, std::span<const WarpPattern> patterns) {
+                      const Gallery& gallery, std::span<const WarpPattern> patterns,
+                      const PlotLibrary& library) {
   json data = json::parse(study_json(study, facts));
   for (const GalleryPicture& picture : gallery.pictures)
     data["gallery"].push_back(of_picture(picture, gallery.width, gallery.height));
   for (const WarpPattern& pattern : patterns) {
     json points;
-    for (const vec2& p : pattern.points)
-      points.push_back({std::round(p.x * 1e4) / 1e4, std::round(p.y * 1e4) / 1e4});
+    for (const vec3& p : pattern.points)
+      points.push_back({std::round(p.x * 1e4) / 1e4, std::round(p.y * 1e4) / 1e4, int(p.z < 0)});
     data["patterns"].push_back({{"name", pattern.name}, {"points", points}});
   }
+  if (!library.licence.empty()) data["plot_library"] = library.licence;
   std::string page = page_file("index.html");
   replace(page, "/*@style.css@*/", page_file("style.css"));
-  for (const char* script : {"plot.js", "tables.js", "viewer.js", "main.js"})
+  for (const char* script :
+       {"elements.js", "plot.js", "tables.js", "curves.js", "screen.js", "viewer.js", "main.js"})
     replace(page, fmt::format("/*@{}@*/", script), page_file(script));
   // "</script>" in a text would end the element; "\u003c" is the same character inside a JSON string.
   std::string text = data.dump();
   for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at + 6))
     text.replace(at, 1, "\\u003c");
   replace(page, "@data@", text);
+  replace(page, "/*@plot library@*/", library.script);
   PendingFile file(path);
   file.write(page.data(), page.size());
   file.commit();

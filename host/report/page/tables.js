@@ -35,53 +35,41 @@ function costTable(target, methods) {
 function solid(method) { return [...method.points].reverse().find(p => p.runs > 1 && p.rmse > 0) || method.points[method.points.length - 1]; }
 
 function efficiencyTable(target, methods) {
-  const fixed = methods.filter(m => m.family === 'fixed' && m.points.length);
+  const fixed = methods.filter(m => m.family === 'fixed');
   const independent = s => fixed.find(m => m.sampling === s && m.predicted_variance > 0);
   const rows = fixed.map(m => {
     const p = solid(m), samples = p.level;
     const variance = p.rmse * p.rmse * samples;
-    const formula = independent(m.sampling);
-    const predicted = formula && m.directions === 1 ? formula.predicted_variance : 0;
-    return {m, p, variance, predicted, efficiency: 1 / (variance * p.wall_seconds / samples), expected: predicted ? 1 / (predicted * p.wall_seconds / samples) : 0};
+    // Several directions a camera ray are no independent samples, and what is filtered has a bias.
+    const formula = m.directions === 1 && !m.name.startsWith('denoised') ? independent(m.sampling) : null;
+    const predicted = formula ? formula.predicted_variance : 0;
+    return {m, p, variance, formula, predicted, efficiency: 1 / (variance * p.wall_seconds / samples), expected: predicted ? 1 / (predicted * p.wall_seconds / samples) : 0};
   }).sort((a, b) => b.efficiency - a.efficiency);
-  table(target, ['method', 'spp', 'variance × spp', 'of one sample, by formula', 'efficiency, 1/s', 'predicted', 'ratio'],
-    rows.map(r => [named(r.m), r.p.level, short(r.variance, 4), r.predicted ? short(r.predicted, 4) : '–', {text: short(r.efficiency), best: r === rows[0]},
+  table(target, ['method', 'spp', 'variance × spp', 'of one sample, predicted', 'from', 'efficiency, 1/s', 'predicted', 'ratio'],
+    rows.map(r => [named(r.m), r.p.level, short(r.variance, 4), r.predicted ? short(r.predicted, 4) : '–', r.formula ? r.formula.prediction : '–', {text: short(r.efficiency), best: r === rows[0]},
       r.expected ? short(r.expected) : '–', r.expected ? (r.efficiency / r.expected).toFixed(2) : '–']));
 }
 
 function adaptiveTable(target, methods) {
   const rows = methods.filter(m => m.family === 'adaptive').flatMap(m => m.points.map(p =>
-    [named(m), p.level, short(p.error_claimed), short(p.rmse), percent(p.covered), (p.mean_error >= 0 ? '+' : '') + short(p.mean_error, 2), short(p.wall_seconds) + ' s']));
+    [named(m), p.level, short(p.error_claimed), short(p.rmse), percent(p.covered), signed(p.mean_error), short(p.wall_seconds) + ' s', p.runs]));
   if (!rows.length) return;
-  table(target, ['rule', 'error asked', 'claimed', 'reached (RMSE)', 'covered', 'mean error', 'time'], rows);
+  table(target, ['rule', 'error asked', 'claimed', 'reached (RMSE)', 'covered', 'mean error', 'time', 'runs'], rows);
   target.prepend(element('h3', {}, 'Adaptive: error asked and error reached'));
 }
 
-function screenTable(target, section, methods) {
-  const screen = methods.filter(m => m.family === 'ssao' && m.points.length);
-  if (!screen.length) { section.remove(); return; }
-  const traced = methods.filter(m => m.family === 'fixed' && m.points.length);
-  table(target, ['method', 'floor (RMSE)', 'mean error', 'time', 'ray traced is as accurate after'], screen.map(m => {
-    const p = m.points.reduce((a, b) => b.rmse < a.rmse ? b : a);
-    let best = null;
-    for (const t of traced) {
-      const q = crossing(t.points, p.rmse);
-      if (q && (!best || q.seconds < best.seconds)) best = {...q, name: t.name};
-    }
-    return [named(m), short(p.rmse), (p.mean_error >= 0 ? '+' : '') + short(p.mean_error, 2), short(p.wall_seconds) + ' s',
-            best ? `${short(best.seconds)} s, ${short(best.level)} spp (${best.name})` : '–'];
-  }));
+function coverageTable(target, methods) {
+  const levels = [...new Set(methods.flatMap(m => m.points.filter(p => p.covered >= 0).map(p => p.level)))].sort((a, b) => a - b);
+  const at = (m, level) => m.points.find(p => p.level === level && p.covered >= 0);
+  table(target, ['covered at spp', ...levels.map(l => short(l))], methods.map(m => [named(m), ...levels.map(l => at(m, l) ? percent(at(m, l).covered) : '–')]));
 }
 
-// Where a curve reaches an error, by log-log interpolation.
-function crossing(points, error) {
-  for (let i = 0; i < points.length; ++i) {
-    const p = points[i];
-    if (p.rmse > error) continue;
-    if (i === 0) return {seconds: p.wall_seconds, level: p.level};
-    const q = points[i - 1], along = Math.log(q.rmse / error) / Math.log(q.rmse / p.rmse);
-    const between = (a, b) => a * (b / a) ** along;
-    return {seconds: between(q.wall_seconds, p.wall_seconds), level: Math.round(between(q.level, p.level))};
-  }
-  return null;
+// Points [x, y, below the horizon] of the disk: their shares in rings of equal width.
+function patternTable(target, patterns) {
+  const rings = [0.25, 0.5, 0.75, 1.001];
+  target.className = '';
+  table(target, ['share of points', 'r < ¼', '¼ to ½', '½ to ¾', '¾ to 1', 'below the horizon'], patterns.map(({name, points}) => {
+    const radii = points.map(([x, y]) => Math.hypot(x, y));
+    return [name, ...rings.map((end, i) => percent(radii.filter(r => r < end && r >= (i ? rings[i - 1] : 0)).length / radii.length)), percent(points.filter(p => p[2]).length / points.length)];
+  }));
 }
