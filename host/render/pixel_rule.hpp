@@ -80,7 +80,7 @@ std::unique_ptr<PixelRule> independent_rule(const EffectPlan& effect, const Plan
 ///
 /// When a pixel stops is decided by the variance of its neighbours in the 3x3 around it, whose random numbers
 /// are others: so the decision biases neither its estimate nor its interval. Unless its own says that it is
-/// off by twice as much (in variance): edges.
+/// off by a fifth more (in variance): edges.
 ///
 /// Few randomisations know their variance badly, so the interval's is moderated by the neighbours' too (Smyth
 /// 2004, "Linear models and empirical Bayes methods", section 3): with v and v0 the two estimates of the

@@ -7,8 +7,11 @@ namespace nook {
 namespace {
 
 constexpr unsigned degrees_of_neighbours = 8;
-// A pixel's own variance may be so many times the one asked for.
-constexpr double own_excess = 2;
+// A pixel's own variance may be so many times the one asked for. 2 lets errors of single pixels be 1.5 times
+// too large; 1 takes 3 to 12 % more samples, and, since the decision then follows the estimate's own samples,
+// biases values as small as the error by .16 standard errors. This takes 1 to 4 % more, and biases none by
+// .1.
+constexpr double own_excess = 1.2;
 // The squared error of an Owen-scrambled sequence falls about like n^-1.25 in four dimensions with edges.
 constexpr double rate = 1.25;
 

@@ -59,6 +59,7 @@ class CoverageTest : public ::testing::Test {
   struct Outcome {
     double bias = 0, covered = 0, error = 0;  // bias: in standard errors of a pixel
     double samples = 0;
+    double worst = 0;              // the largest error that a pixel claims
     double covered_by_spread = 0;  // by the randomisations' plain spread and the normal quantile
   };
   Outcome measure(const Scene& scene, double value, const ErrorTarget& target) const {
@@ -69,6 +70,7 @@ class CoverageTest : public ::testing::Test {
     EXPECT_EQ(result.share_done, 1);
     Outcome out;
     out.error = result.error_reached;
+    out.worst = result.error_worst;
     const PixelEstimates& estimates = result.effects.front();
     const Film& film = render.session().films().front();
     double square = 0;
@@ -138,6 +140,7 @@ TEST_F(CoverageTest, RandomisedSequencesAreUnbiasedAndCovered) {
       EXPECT_LE(std::abs(out.bias), bias_allowed) << value;
       EXPECT_NEAR(out.covered, .95, coverage_allowed) << value;
       EXPECT_LE(out.error, error) << value;
+      EXPECT_LE(out.worst, 1.25 * error) << value;
     }
 }
 
@@ -175,8 +178,9 @@ TEST_F(CoverageTest, ReflectionIsUnbiasedAndCovered) {
       EXPECT_LE(std::abs(out.bias), bias_allowed) << exponent;
       EXPECT_GE(out.covered, .95 - coverage_allowed) << exponent;
       // Samples that hardly vary: a pilot's interval is wider than they ask for.
-      if (sampler == Sampler::sobol || exponent < 10)
+      if (sampler == Sampler::sobol || exponent < 10) {
         EXPECT_LE(out.covered, .95 + coverage_allowed) << exponent;
+      }
       EXPECT_LE(out.error, error) << exponent;
     }
 }
