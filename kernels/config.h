@@ -129,6 +129,14 @@
 #define CUT_OUTS 0
 #endif
 
+// 1: the trees are those of meshes that are placed many times, with a tree over their places on top; see placed_tree.cl.
+#ifndef INSTANCES
+#define INSTANCES 0
+#endif
+#if INSTANCES && ONLY_SELF
+#error "INSTANCES: ONLY_SELF needs a tree of copies for each group"
+#endif
+
 // 1: one ray at a time, for GPUs; 0: streams of rays over vectors of boxes and triangles, for CPUs. The same bits.
 #ifndef TRAVERSAL_SCALAR
 #define TRAVERSAL_SCALAR 0

@@ -20,6 +20,20 @@
 float min_or_second(float a, float b) { return a < b ? a : b; }
 float max_or_second(float a, float b) { return a > b ? a : b; }
 
+// Entry distance of the ray into a box, or INFINITY if it meets none of it within [0, limit].
+// inverse = 1/d; the planes are selected by the sign bit, so that -0 and 0 differ as their inverses do.
+float enter_box(float3 lo, float3 hi, float3 o, float3 inverse, float limit) {
+  const bool nx = signbit(inverse.x), ny = signbit(inverse.y), nz = signbit(inverse.z);
+  float enter = 0.0f, leave = limit;
+  enter = max_or_second(((nx ? hi.x : lo.x) - o.x) * inverse.x, enter);
+  leave = min_or_second(((nx ? lo.x : hi.x) - o.x) * inverse.x, leave);
+  enter = max_or_second(((ny ? hi.y : lo.y) - o.y) * inverse.y, enter);
+  leave = min_or_second(((ny ? lo.y : hi.y) - o.y) * inverse.y, leave);
+  enter = max_or_second(((nz ? hi.z : lo.z) - o.z) * inverse.z, enter);
+  leave = min_or_second(((nz ? lo.z : hi.z) - o.z) * inverse.z, leave);
+  return enter <= leave * FAR_PLANE_GROWTH ? enter : INFINITY;
+}
+
 // A ray as the watertight triangle test of Woop, Benthin and Wald (JCGT 2013) needs it: z is the axis that d is
 // longest along; the shear (x + shear_x z, y + shear_y z) sends the ray to the origin of the xy-plane.
 typedef struct {
@@ -76,7 +90,7 @@ float forward_height(const ShearedTriangle* t, float inverse_z) {
   return (t->det < 0.0f) != signbit(inverse_z) ? -t->height : t->height;
 }
 
-float3 leaf_vertex(__global const TriangleLeaf* leaf, uint vertex, uint lane) {
+float3 leaf_vertex(TREE_LEAF* leaf, uint vertex, uint lane) {
   return (float3)(leaf->p[vertex][0][lane], leaf->p[vertex][1][lane], leaf->p[vertex][2][lane]);
 }
 

@@ -10,11 +10,11 @@
 #if CUT_OUTS
 
 // Whether the ray o + t d, which meets the lane's triangle, goes through a hole in it.
-bool lane_in_hole(CUT_PARAMS, __global const TriangleLeaf* leaf, uint lane, float3 o, float3 d) {
+bool lane_in_hole(CUT_PARAMS, TREE_LEAF* leaf, uint lane, float3 o, float3 d) {
   const RayShear shear = shear_ray(d);
   const ShearedTriangle t =
       shear_triangle(o, &shear, leaf_vertex(leaf, 0, lane), leaf_vertex(leaf, 1, lane), leaf_vertex(leaf, 2, lane));
-  return IN_HOLE(leaf->triangle[lane], t.wb / t.det, t.wc / t.det);
+  return IN_HOLE(STORED_TRIANGLE(leaf, lane), t.wb / t.det, t.wc / t.det);
 }
 
 #define LANE_IN_HOLE(leaf, lane, o, d) lane_in_hole(CUT_ARGS, leaf, lane, o, d)

@@ -71,7 +71,7 @@ __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* task
       __global const SurfacePoint* point = points + tasks[first_task + task].point + (first + j) % p.samples;
       if (!(point->flags & SURFACE_HIT)) continue;
       ++result[task].hits;
-      if (RECEIVERS && !receives(receivers, point->triangle)) continue;
+      if (RECEIVERS && point->triangle != NO_TRIANGLE && !receives(receivers, STORED(point->triangle))) continue;
       if (ONLY_SELF && point->triangle == NO_TRIANGLE) continue;
       if (EXPONENT_OF_MATERIAL && !(exponent_of(point, exponents) >= 0.0f)) continue;
       hits |= 1u << j;
@@ -94,7 +94,7 @@ __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* task
         float3 normal = (float3)(point->normal[0], point->normal[1], point->normal[2]);
         const float3 view = (float3)(point->view[0], point->view[1], point->view[2]);
         if (SIDE != SIDE_NORMAL && looks_to_the_other_side(normal, view)) {
-          origin = origin_on_other_side(point, positions, triangles, origin, normal);
+          origin = origin_on_other_side(point, TRIANGLE_ARGS, origin, normal);
           normal = -normal;
         }
         for (uint k = 0; k < count; ++k) {

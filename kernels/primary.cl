@@ -5,12 +5,9 @@
 #include "camera.cl"
 #include "sampler.cl"
 #include "traverse.cl"
+#include "triangle.cl"
 
 #define STREAM 32u
-
-float3 load3(__global const float* values, uint index) {
-  return (float3)(values[3 * index], values[3 * index + 1], values[3 * index + 2]);
-}
 
 void store3(__global float* out, float3 v) {
   out[0] = v.x;
@@ -20,13 +17,15 @@ void store3(__global float* out, float3 v) {
 
 // Shading normal: the vertex normals interpolated, or the geometric normal where a corner has none or they cancel.
 // Never flipped towards the viewer (TinyRender).
-float3 shading_normal(__global const float* normals, __global const uint* triangle_normals, uint triangle, float u,
-                      float v, float3 geometric) {
+float3 shading_normal(WITH_INSTANCE_PARAMS __global const float* normals, __global const uint* triangle_normals, uint triangle,
+                      float u, float v, float3 geometric) {
   if (!VERTEX_NORMALS) return geometric;
-  uint i0 = triangle_normals[3 * triangle], i1 = triangle_normals[3 * triangle + 1], i2 = triangle_normals[3 * triangle + 2];
+  const uint corner = 3 * STORED(triangle);
+  uint i0 = triangle_normals[corner], i1 = triangle_normals[corner + 1], i2 = triangle_normals[corner + 2];
   const uint none = 0xffffffffu;
   if (i0 == none || i1 == none || i2 == none) return geometric;
-  float3 n = (1.0f - u - v) * load3(normals, i0) + u * load3(normals, i1) + v * load3(normals, i2);
+  float3 n = (1.0f - u - v) * NORMAL_OF(triangle, load3(normals, i0)) + u * NORMAL_OF(triangle, load3(normals, i1)) +
+             v * NORMAL_OF(triangle, load3(normals, i2));
   float length2 = dot(n, n);
   return length2 > 1e-12f ? n * rsqrt(length2) : geometric;
 }
@@ -40,19 +39,17 @@ float3 triangle_normal(float3 p0, float3 p1, float3 p2) {
   return n / sqrt(dot(n, n));
 }
 
-void write_surface_point(__global SurfacePoint* out, __global const float* positions, __global const uint* triangles,
-                         __global const float* normals, __global const uint* triangle_normals,
-                         __global const uint* triangle_materials, float3 direction, float distance, uint triangle,
-                         float u, float v) {
+void write_surface_point(__global SurfacePoint* out, TRIANGLE_PARAMS, __global const float* normals,
+                         __global const uint* triangle_normals, __global const uint* triangle_materials, float3 direction,
+                         float distance, uint triangle, float u, float v) {
   if (triangle == 0xffffffffu) {
     out->flags = 0;
     return;
   }
-  float3 p0 = load3(positions, triangles[3 * triangle]);
-  float3 p1 = load3(positions, triangles[3 * triangle + 1]);
-  float3 p2 = load3(positions, triangles[3 * triangle + 2]);
+  float3 p0 = vertex(TRIANGLE_ARGS, triangle, 0), p1 = vertex(TRIANGLE_ARGS, triangle, 1),
+         p2 = vertex(TRIANGLE_ARGS, triangle, 2);
   float3 geometric = triangle_normal(p0, p1, p2);
-  float3 normal = shading_normal(normals, triangle_normals, triangle, u, v, geometric);
+  float3 normal = shading_normal(WITH_INSTANCE_ARGS normals, triangle_normals, triangle, u, v, geometric);
   float side = dot(geometric, normal) < 0.0f ? -1.0f : 1.0f;
   store3(out->origin, offset_origin(p0, p1, p2, u, v, geometric, side));
   out->flags = SURFACE_HIT;
@@ -61,7 +58,7 @@ void write_surface_point(__global SurfacePoint* out, __global const float* posit
   store3(out->view, -direction);
   out->distance = distance;
   store3(out->geometric_normal, geometric);
-  out->material = MATERIALS ? triangle_materials[triangle] : 0xffffffffu;
+  out->material = MATERIALS ? triangle_materials[STORED(triangle)] : 0xffffffffu;
 }
 
 // Camera samples [task.first_sample, + p.samples) of each task's pixel: one SurfacePoint each. A work-item does `tasks_per_item`
@@ -92,7 +89,7 @@ __kernel void primary(BVH_PARAMS, __global const float* positions, __global cons
     closest_from(BVH_ARGS, eye, &directions, active, t, triangle, u, v);
     for (uint k = 0; k < count; ++k) {
       const uint point = tasks[first_task + (begin + k) / p.samples].point + (begin + k) % p.samples;
-      write_surface_point(points + point, positions, triangles, normals, triangle_normals, triangle_materials,
+      write_surface_point(points + point, TRIANGLE_ARGS, normals, triangle_normals, triangle_materials,
                           ray_direction(&directions, k), t[k], triangle[k], u[k], v[k]);
     }
   }

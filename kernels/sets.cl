@@ -6,10 +6,8 @@
 #include "config.h"
 #include "visibility.cl"
 
-// A bit for each triangle. A point of no triangle (a probe's) receives.
-bool receives(__global const uint* receivers, uint triangle) {
-  return triangle == NO_TRIANGLE || (receivers[triangle >> 5] >> (triangle & 31u) & 1u);
-}
+// A bit for each triangle of the mesh buffers. (A point of no triangle, a probe's, receives.)
+bool receives(__global const uint* receivers, uint stored) { return receivers[stored >> 5] >> (stored & 31u) & 1u; }
 
 // visible_rays() where ray k meets the triangles of group[k] alone: group g's tree starts at node first_of_group[2g] and leaf
 // first_of_group[2g + 1]. The rays of one group go through its tree together.

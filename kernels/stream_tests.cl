@@ -6,8 +6,8 @@
 #include "stream_rays.cl"
 
 // enter_box() for all children of a node: entry distances, and lanes of -1 where ray k meets the child within [0, limit].
-INLINE int16 enter_children(__global const BvhNode* node, const StreamRays* r, uint k, float limit, float16* entry) {
-  __global const float* planes = &node->lo[0][0];
+INLINE int16 enter_children(TREE_NODE* node, const StreamRays* r, uint k, float limit, float16* entry) {
+  TREE_FLOATS* planes = &node->lo[0][0];
   const uint nx = r->near_x[k], ny = r->near_y[k], nz = r->near_z[k];
   const uint fx = HI_PLANES - nx, fy = HI_PLANES + 2u * BVH_WIDTH - ny, fz = HI_PLANES + 4u * BVH_WIDTH - nz;
   const float ox = r->ox[k], oy = r->oy[k], oz = r->oz[k];
@@ -34,10 +34,10 @@ typedef struct {
   leaf_int inside;
 } ShearedLeaf;
 
-INLINE void shear_leaf(ShearedLeaf* t, __global const TriangleLeaf* leaf, const StreamRays* r, uint k) {
-  __global const float* x = &leaf->p[0][0][0] + r->row_x[k];
-  __global const float* y = &leaf->p[0][0][0] + r->row_y[k];
-  __global const float* z = &leaf->p[0][0][0] + r->row_z[k];
+INLINE void shear_leaf(ShearedLeaf* t, TREE_LEAF* leaf, const StreamRays* r, uint k) {
+  TREE_FLOATS* x = &leaf->p[0][0][0] + r->row_x[k];
+  TREE_FLOATS* y = &leaf->p[0][0][0] + r->row_y[k];
+  TREE_FLOATS* z = &leaf->p[0][0][0] + r->row_z[k];
   const float ox = r->row_ox[k], oy = r->row_oy[k], oz = r->row_oz[k];
   const float sx = r->shear_x[k], sy = r->shear_y[k];
   const leaf_float az = LOAD_LEAF(z) - oz;
@@ -58,7 +58,7 @@ INLINE void shear_leaf(ShearedLeaf* t, __global const TriangleLeaf* leaf, const 
 }
 
 // triangle_occludes() for all triangles of a leaf: -1 where ray k meets it, else 0.
-INLINE leaf_int leaf_occludes(__global const TriangleLeaf* leaf, const StreamRays* r, uint k) {
+INLINE leaf_int leaf_occludes(TREE_LEAF* leaf, const StreamRays* r, uint k) {
   ShearedLeaf t;
   shear_leaf(&t, leaf, r, k);
   const leaf_uint flip = (AS_LEAF_UINT(t.det) ^ as_uint(r->inverse_z[k])) & SIGN_BIT;
@@ -66,9 +66,26 @@ INLINE leaf_int leaf_occludes(__global const TriangleLeaf* leaf, const StreamRay
   return t.inside & (height > 0.0f) & (height < fabs(t.det) * r->limit_z[k]);
 }
 
+#if CUT_OUTS
+// `met` (-1 where ray k meets a lane's triangle, else 0) without the lanes where it goes through a hole.
+INLINE leaf_int without_holes(CUT_PARAMS, TREE_LEAF* leaf, leaf_int met, const RayDirections* origins,
+                              const RayDirections* d, uint k) {
+  const leaf_int leaf_bits = LEAF_BITS;
+  uint open = 0;
+  for (uint lanes = (uint)OR_LEAF_LANES(met & leaf_bits); lanes; lanes &= lanes - 1) {
+    const uint lane = LOWEST_BIT(lanes);
+    if (LANE_IN_HOLE(leaf, lane, ray_direction(origins, k), ray_direction(d, k))) open |= 1u << lane;
+  }
+  return met & ((leaf_bits & (leaf_int)(int)open) == 0);
+}
+#define WITHOUT_HOLES(leaf, met, origins, d, k) without_holes(CUT_ARGS, leaf, met, origins, d, k)
+#else
+#define WITHOUT_HOLES(leaf, met, origins, d, k) (met)
+#endif
+
 // triangle_nearer() for all triangles of a leaf: the nearest hit of ray k, if it is nearer than *t.
 // Of equally near triangles the lowest index, as closest_ray(); none at the limit itself.
-INLINE void leaf_nearer(WITH_CUT_PARAMS __global const TriangleLeaf* leaf, const StreamRays* r, uint k, float* t, uint* triangle,
+INLINE void leaf_nearer(WITH_CUT_PARAMS TREE_LEAF* leaf, const StreamRays* r, uint k, float* t, uint* triangle,
                         float* u, float* v) {
   ShearedLeaf f;
   shear_leaf(&f, leaf, r, k);
@@ -85,7 +102,7 @@ INLINE void leaf_nearer(WITH_CUT_PARAMS __global const TriangleLeaf* leaf, const
     const uint lane = LOWEST_BIT(lanes);
     const uint id = leaf->triangle[lane];
     const bool nearer = lane_distance[lane] < *t || (lane_distance[lane] == *t && *triangle != NO_TRIANGLE && id < *triangle);
-    if (!nearer || IN_HOLE(id, lane_wb[lane] / lane_det[lane], lane_wc[lane] / lane_det[lane])) continue;
+    if (!nearer || IN_HOLE(STORED_TRIANGLE(leaf, lane), lane_wb[lane] / lane_det[lane], lane_wc[lane] / lane_det[lane])) continue;
     *t = lane_distance[lane];
     *triangle = id;
     *u = lane_wb[lane] / lane_det[lane];

@@ -19,8 +19,11 @@
 #ifndef NOOK_TRAVERSE_CL
 #define NOOK_TRAVERSE_CL
 
+// With INSTANCES the last two, otherwise the first.
 #include "traverse_scalar.cl"
 #include "traverse_stream.cl"
+#include "traverse_instances.cl"
+#include "traverse_instances_scalar.cl"
 
 uint occluded_rays(BVH_PARAMS, const RayDirections* origins, const RayDirections* d, uint active, float max_distance) {
   if (!TRAVERSAL_SCALAR) return stream_occluded(BVH_ARGS, origins, d, active, max_distance);

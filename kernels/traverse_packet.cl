@@ -9,6 +9,8 @@
 
 #include "stream_tests.cl"
 
+#if !INSTANCES
+
 #define GROUP 16u  // rays in a vector; a packet is one or two of them
 #define GROUP_RAYS 0xffffu
 #define FEW_RAYS 6u  // up to so many rays meet a leaf faster one by one, its triangles as lanes
@@ -218,5 +220,7 @@ void packet_closest(BVH_PARAMS, const StreamRays* r, const Packet* p, uint activ
     }
   }
 }
+
+#endif
 
 #endif

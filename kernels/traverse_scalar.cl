@@ -5,18 +5,12 @@
 #include "intersect.cl"
 #include "leaf_holes.cl"
 
-// Entry distance of the ray into a box, or INFINITY if it meets none of it within [0, limit].
-// inverse = 1/d; the planes are selected by the sign bit, so that -0 and 0 differ as their inverses do.
-float enter_box(__global const BvhNode* node, uint lane, float3 o, float3 inverse, float limit) {
-  const bool nx = signbit(inverse.x), ny = signbit(inverse.y), nz = signbit(inverse.z);
-  float enter = 0.0f, leave = limit;
-  enter = max_or_second(((nx ? node->hi[0][lane] : node->lo[0][lane]) - o.x) * inverse.x, enter);
-  leave = min_or_second(((nx ? node->lo[0][lane] : node->hi[0][lane]) - o.x) * inverse.x, leave);
-  enter = max_or_second(((ny ? node->hi[1][lane] : node->lo[1][lane]) - o.y) * inverse.y, enter);
-  leave = min_or_second(((ny ? node->lo[1][lane] : node->hi[1][lane]) - o.y) * inverse.y, leave);
-  enter = max_or_second(((nz ? node->hi[2][lane] : node->lo[2][lane]) - o.z) * inverse.z, enter);
-  leave = min_or_second(((nz ? node->lo[2][lane] : node->hi[2][lane]) - o.z) * inverse.z, leave);
-  return enter <= leave * FAR_PLANE_GROWTH ? enter : INFINITY;
+#if !INSTANCES
+
+float enter_child(__global const BvhNode* node, uint lane, float3 o, float3 inverse, float limit) {
+  const float3 lo = (float3)(node->lo[0][lane], node->lo[1][lane], node->lo[2][lane]);
+  const float3 hi = (float3)(node->hi[0][lane], node->hi[1][lane], node->hi[2][lane]);
+  return enter_box(lo, hi, o, inverse, limit);
 }
 
 bool occluded_ray(BVH_PARAMS, float3 o, float3 d, float max_distance) {
@@ -39,7 +33,7 @@ bool occluded_ray(BVH_PARAMS, float3 o, float3 d, float max_distance) {
     } else {
       __global const BvhNode* node = &nodes[item];
       for (uint lane = 0; lane < BVH_WIDTH && node->child[lane] != BVH_EMPTY; ++lane)
-        if (enter_box(node, lane, o, inverse, max_distance) < INFINITY) stack[size++] = node->child[lane];
+        if (enter_child(node, lane, o, inverse, max_distance) < INFINITY) stack[size++] = node->child[lane];
     }
   }
   return false;
@@ -77,7 +71,7 @@ bool closest_ray(BVH_PARAMS, float3 o, float3 d, float* t, uint* triangle, float
       __global const BvhNode* node = &nodes[item];
       const uint first = size;
       for (uint lane = 0; lane < BVH_WIDTH && node->child[lane] != BVH_EMPTY; ++lane) {
-        const float enter = enter_box(node, lane, o, inverse, *t);
+        const float enter = enter_child(node, lane, o, inverse, *t);
         if (!(enter < INFINITY)) continue;
         // Insertion keeps the nearest child on top.
         uint place = size++;
@@ -93,5 +87,7 @@ bool closest_ray(BVH_PARAMS, float3 o, float3 d, float* t, uint* triangle, float
   *triangle = found;
   return found != NO_TRIANGLE;
 }
+
+#endif
 
 #endif

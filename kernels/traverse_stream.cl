@@ -7,22 +7,7 @@
 #include "stream_tests.cl"
 #include "traverse_packet.cl"
 
-#if CUT_OUTS
-// `met` (-1 where ray k meets a lane's triangle, else 0) without the lanes where it goes through a hole.
-INLINE leaf_int without_holes(CUT_PARAMS, __global const TriangleLeaf* leaf, leaf_int met, const RayDirections* origins,
-                              const RayDirections* d, uint k) {
-  const leaf_int leaf_bits = LEAF_BITS;
-  uint open = 0;
-  for (uint lanes = (uint)OR_LEAF_LANES(met & leaf_bits); lanes; lanes &= lanes - 1) {
-    const uint lane = LOWEST_BIT(lanes);
-    if (LANE_IN_HOLE(leaf, lane, ray_direction(origins, k), ray_direction(d, k))) open |= 1u << lane;
-  }
-  return met & ((leaf_bits & (leaf_int)(int)open) == 0);
-}
-#define WITHOUT_HOLES(leaf, met, origins, d, k) without_holes(CUT_ARGS, leaf, met, origins, d, k)
-#else
-#define WITHOUT_HOLES(leaf, met, origins, d, k) (met)
-#endif
+#if !INSTANCES
 
 // The any-hit traversal. What a node pushes is fetched into the cache at once, and one more entry is visited before the
 // stack's new top: the memory is there when its turn comes.
@@ -134,5 +119,7 @@ void stream_closest(BVH_PARAMS, const RayDirections* origins, const RayDirection
     }
   }
 }
+
+#endif
 
 #endif

@@ -15,12 +15,15 @@ namespace {
 
 int print_info(const SceneOptions& options) {
   const Scene scene = options.load();
-  const TriangleMesh mesh =
-      load_scene_mesh(scene, {.normals = true, .uvs = false, .materials = true, .groups = true});
+  const TriangleMesh mesh = load_scene_mesh(
+      scene, {.normals = true, .uvs = false, .materials = true, .groups = true}, scene.instancing);
   const MeshAnalysis analysis = analyse(mesh);
   const vec3 lo = mesh.bounds.lo, hi = mesh.bounds.hi, center = mesh.bounds.center();
   fmt::print("mesh              {}\n", scene.mesh_file.string());
-  fmt::print("triangles         {}\n", mesh.triangles.size());
+  fmt::print("triangles         {}\n", mesh.scene_triangles());
+  if (!mesh.instances.empty())
+    fmt::print("instances         {} of {} meshes, which have {} triangles\n", mesh.instances.size(),
+               mesh.parts.size(), mesh.triangles.size());
   fmt::print("positions         {}\n", mesh.positions.size());
   fmt::print("groups, materials {}, {}\n", mesh.groups.size(), mesh.materials.size());
   fmt::print("bounds            ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})\n", lo.x, lo.y, lo.z, hi.x, hi.y,

@@ -64,7 +64,7 @@ void print_layers(const Plan& plan) {
 void print_table(const Scene& scene, const Plan& plan, const TriangleMesh& mesh, const PlanReport& report) {
   fmt::print("{}: {}x{} pixels, {} camera rays a pixel, {} directions each, {} triangles\n",
              scene.file.string(), plan.window.width(), plan.window.height(), plan.spp, plan.directions,
-             grouped(mesh.triangles.size()));
+             grouped(mesh.scene_triangles()));
   print_layers(plan);
   fmt::print("\nPasses\n");
   for (const PassReport& pass : report.passes)
@@ -93,7 +93,7 @@ void print_json(const Plan& plan, const TriangleMesh& mesh, const PlanReport& re
                          {"height", plan.window.height()},
                          {"spp", plan.spp},
                          {"directions", plan.directions},
-                         {"triangles", mesh.triangles.size()},
+                         {"triangles", mesh.scene_triangles()},
                          {"libraries", report.libraries},
                          {"left_out", report.left_out},
                          {"kernels", nlohmann::json::array()},
@@ -116,7 +116,7 @@ void print_json(const Plan& plan, const TriangleMesh& mesh, const PlanReport& re
 
 int show_plan(const PlanOptions& options) {
   const Scene scene = options.scene.load();
-  const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene));
+  const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene), scene.instancing);
   const Plan plan = make_plan(scene, mesh);
   std::optional<Bvh> bvh;
   if (plan.needs_opencl()) bvh = build_bvh(mesh);

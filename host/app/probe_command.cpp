@@ -61,7 +61,7 @@ int probe(const ProbeOptions& options) {
   const Scene scene = probe_scene(options);
   MeshAttributes attributes = needed_attributes(scene);
   attributes.normals = false;
-  const TriangleMesh mesh = load_scene_mesh(scene, attributes);
+  const TriangleMesh mesh = load_scene_mesh(scene, attributes, scene.instancing);
   const Plan plan = make_plan(scene, mesh);
   const bool needs_view = scene.effects.front().kind == EffectKind::ro;
   const std::vector<SurfacePoint> points =

@@ -239,12 +239,13 @@ int render(const Scene& scene, const RenderOptions& options, Loaded& loaded) {
   // Starting OpenCL takes longer than reading a small mesh, compiling about as long as building a tree.
   std::future<Device> opened;
   if (!loaded.device) opened = std::async(std::launch::async, [&] { return options.device.open(); });
-  if (!loaded.mesh) loaded.mesh = load_scene_mesh(scene, needed_attributes(scene, aovs.needs_surface()));
+  if (!loaded.mesh)
+    loaded.mesh = load_scene_mesh(scene, needed_attributes(scene, aovs.needs_surface()), scene.instancing);
   const TriangleMesh& mesh = *loaded.mesh;
   record.seconds.load = watch.lap();
   const Plan all = make_plan(scene, mesh, aovs.needs_surface());
   record.plan = options.target.dry_run ? plan_to_forecast(stop, all) : plan_until(stop, all);
-  record.triangles = mesh.triangles.size();
+  record.triangles = mesh.scene_triangles();
   if (!loaded.device) loaded.device.emplace(opened.get());
   const Device& device = *loaded.device;
   record.device = device.info();
@@ -300,7 +301,7 @@ int render_turntable(const Scene& scene, const RenderOptions& options) {
   Loaded loaded;
   const bool surface =
       is_ssao_alone(scene) ? parse_aovs(options.aovs).normal : parse_aovs(options.aovs).needs_surface();
-  loaded.mesh = load_scene_mesh(scene, needed_attributes(scene, surface));
+  loaded.mesh = load_scene_mesh(scene, needed_attributes(scene, surface), scene.instancing);
   const Camera camera = resolve_camera(scene, loaded.mesh->subject_bounds());
   int worst = 0;
   for (unsigned i = 0; i < options.turntable; ++i) {

@@ -238,10 +238,11 @@ Device DeviceOptions::open() const {
 
 std::string to_toml(const Scene& s) {
   auto point = [](const vec3& p) { return fmt::format("[{}, {}, {}]", p.x, p.y, p.z); };
-  std::string out =
-      s.instances.empty() ? fmt::format("[input]\nobjfile = \"{}\"\n", s.mesh_file.string()) : "";
-  if (s.cutouts) out += s.instances.empty() ? "cutouts = true\n" : "[input]\ncutouts = true\n";
-  if (!out.empty()) out += '\n';
+  std::string input = s.instances.empty() ? fmt::format("objfile = \"{}\"\n", s.mesh_file.string()) : "";
+  if (s.cutouts) input += "cutouts = true\n";
+  if (s.instancing != Instancing::automatic)
+    input += fmt::format("instancing = \"{}\"\n", name_of(s.instancing));
+  std::string out = input.empty() ? "" : "[input]\n" + input + '\n';
   for (const Instance& i : s.instances)
     out += fmt::format("[[instance]]\nobjfile = \"{}\"\ntranslate = {}\nrotate = {}\nscale = {}\n\n",
                        i.mesh_file.string(), point(i.translate), point(i.rotate), point(i.scale));

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <new>
+#include <numeric>
 #include <thread>
 
 #include "base/error.hpp"
 #include "bvh/binary_tree.hpp"
 #include "bvh/collapse.hpp"
+#include "bvh/instance_trees.hpp"
 
 namespace nook {
 namespace {
@@ -36,19 +38,9 @@ Bvh build(const TriangleMesh& mesh, const BvhOptions& options) {
   return bvh;
 }
 
-}  // namespace
-
-Bvh build_bvh(const TriangleMesh& mesh, const BvhOptions& options) {
-  try {
-    return build(mesh, options);
-  } catch (const std::bad_alloc&) {
-    throw Error(ExitCode::device, "not enough memory to build the tree over " +
-                                      std::to_string(mesh.triangles.size()) + " triangles");
-  }
-}
-
-// The triangles by themselves, with their own numbers; then the mesh's.
-Bvh build_bvh(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles, const BvhOptions& options) {
+// Those of the mesh's triangles by themselves, with the mesh's numbers.
+Bvh build_some(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles,
+               const BvhOptions& options) {
   TriangleMesh some;
   some.positions.reserve(3 * triangles.size());
   some.triangles.reserve(triangles.size());
@@ -58,11 +50,51 @@ Bvh build_bvh(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles
       some.positions.push_back(mesh.positions[corner]);
     some.triangles.push_back({first, first + 1, first + 2});
   }
-  Bvh bvh = build_bvh(some, options);
+  Bvh bvh = build(some, options);
   for (TriangleLeaf& leaf : bvh.leaves)
     for (nook_uint& triangle : leaf.triangle)
       if (triangle != BVH_EMPTY) triangle = triangles[triangle];
   return bvh;
+}
+
+// A tree for each part, over those of its triangles that are in `triangles`.
+std::vector<Bvh> build_parts(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles,
+                             const BvhOptions& options) {
+  std::vector<Bvh> trees;
+  for (const TriangleMesh::Part& part : mesh.parts) {
+    const auto first = std::lower_bound(triangles.begin(), triangles.end(), part.first_triangle);
+    const auto end = std::lower_bound(first, triangles.end(), part.first_triangle + part.triangles);
+    trees.push_back(build_some(mesh, {first, end}, options));
+  }
+  return trees;
+}
+
+template <class Build>
+Bvh within_memory(const TriangleMesh& mesh, const Build& build) {
+  try {
+    return build();
+  } catch (const std::bad_alloc&) {
+    throw Error(ExitCode::device, "not enough memory to build the tree over " +
+                                      std::to_string(mesh.triangles.size()) + " triangles");
+  }
+}
+
+}  // namespace
+
+Bvh build_bvh(const TriangleMesh& mesh, const BvhOptions& options) {
+  return within_memory(mesh, [&] {
+    if (mesh.instances.empty()) return build(mesh, options);
+    std::vector<std::uint32_t> all(mesh.triangles.size());
+    std::iota(all.begin(), all.end(), 0u);
+    return join_trees(mesh, build_parts(mesh, all, options), options);
+  });
+}
+
+Bvh build_bvh(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles, const BvhOptions& options) {
+  return within_memory(mesh, [&] {
+    return mesh.instances.empty() ? build_some(mesh, triangles, options)
+                                  : join_trees(mesh, build_parts(mesh, triangles, options), options);
+  });
 }
 
 }  // namespace nook

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "base/large_vector.hpp"
 #include "kernels/shared/bvh.h"
@@ -20,10 +21,13 @@ static_assert(sizeof(BvhNode) == 7 * BVH_WIDTH * 4 && offsetof(BvhNode, hi) == 3
 static_assert(sizeof(TriangleLeaf) == 10 * BVH_LEAF_WIDTH * 4 &&
               offsetof(TriangleLeaf, triangle) == 9 * BVH_LEAF_WIDTH * 4);
 
-/// A wide bounding volume hierarchy, flattened into the structs of kernels/shared/bvh.h, ready to upload.
+/// A wide bounding volume hierarchy, flattened into the structs of kernels/shared/bvh.h, ready to upload. Of
+/// a mesh with instances: a tree over them, whose leaves name instances instead of triangles (p[0] and p[1]
+/// are the corners of their boxes), and in the same arrays a tree for each part.
 struct Bvh {
-  LargeVector<BvhNode> nodes;        ///< nodes[0] is the root; without triangles it has no children
-  LargeVector<TriangleLeaf> leaves;  ///< never empty, since a buffer cannot be
+  LargeVector<BvhNode> nodes;         ///< nodes[0] is the root; without triangles it has no children
+  LargeVector<TriangleLeaf> leaves;   ///< never empty, since a buffer cannot be
+  std::vector<PlacedMesh> instances;  ///< the mesh's, complete; empty without
   struct Statistics {
     double build_seconds = 0;
     double collapse_seconds = 0;
@@ -32,7 +36,10 @@ struct Bvh {
     double triangles_per_leaf = 0;
   } statistics;
 
-  std::size_t bytes() const { return nodes.size() * sizeof(BvhNode) + leaves.size() * sizeof(TriangleLeaf); }
+  std::size_t bytes() const {
+    return nodes.size() * sizeof(BvhNode) + leaves.size() * sizeof(TriangleLeaf) +
+           instances.size() * sizeof(PlacedMesh);
+  }
 };
 
 /// Builds over all triangles of non-zero extent and finite vertices. Deterministic: the same mesh gives the

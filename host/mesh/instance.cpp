@@ -1,5 +1,6 @@
 #include "mesh/instance.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -13,6 +14,17 @@ constexpr std::uint32_t none = 0xffffffffu;
 
 bool finite(const vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+void check_finite(const vec3& p) {
+  if (!finite(p))
+    throw Error(ExitCode::scene, "an instance's transform takes positions beyond the range of floats");
+}
+
+vec3 finite_position(const PlacedMesh& place, const vec3& p) {
+  const vec3 placed = placed_position(place, p);
+  check_finite(placed);
+  return placed;
 }
 
 // Appends `part`'s per-triangle values, offset; `missing` for all triangles of a mesh without them if the
@@ -40,7 +52,51 @@ void add_report(TriangleMesh::Report& whole, const TriangleMesh::Report& part) {
 
 }  // namespace
 
-void append_instance(TriangleMesh& whole, const TriangleMesh& part, const glm::dmat4& transform) {
+PlacedMesh placed_mesh(const glm::dmat4& transform) {
+  const glm::dmat3 linear(transform);
+  const glm::dmat3 for_normals = glm::transpose(glm::inverse(linear));
+  double largest = 0;
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(for_normals[column][row]));
+  PlacedMesh place{};
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 4; ++column) {
+      place.point[row][column] = float(transform[column][row]);
+      if (column < 3) place.normal[row][column] = float(for_normals[column][row] / largest);
+    }
+  return place;
+}
+
+bool mirrors(const glm::dmat4& transform) {
+  return glm::determinant(glm::dmat3(transform)) < 0;
+}
+
+vec3 placed_position(const PlacedMesh& place, const vec3& p) {
+  return {PLACED(place.point[0], p.x, p.y, p.z), PLACED(place.point[1], p.x, p.y, p.z),
+          PLACED(place.point[2], p.x, p.y, p.z)};
+}
+
+vec3 placed_normal(const PlacedMesh& place, const vec3& n) {
+  const PlacedNormal placed = PLACED_NORMAL(place.normal, n.x, n.y, n.z);
+  return {placed.x, placed.y, placed.z};
+}
+
+Bounds3 placed_bounds(const PlacedMesh& place, const Bounds3& box) {
+  Bounds3 placed;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float* row = place.point[axis];
+    vec3 least, most;
+    for (int k = 0; k < 3; ++k) {
+      least[k] = row[k] < 0 ? box.hi[k] : box.lo[k];
+      most[k] = row[k] < 0 ? box.lo[k] : box.hi[k];
+    }
+    placed.lo[axis] = PLACED(row, least.x, least.y, least.z);
+    placed.hi[axis] = PLACED(row, most.x, most.y, most.z);
+  }
+  return placed;
+}
+
+std::uint32_t append_part(TriangleMesh& whole, const TriangleMesh& part, bool mirrored) {
   if (whole.positions.size() + part.positions.size() >= none ||
       whole.normals.size() + part.normals.size() >= none)
     throw Error(ExitCode::scene, "the scene's instances have more vertices than 32-bit indices can name");
@@ -49,21 +105,12 @@ void append_instance(TriangleMesh& whole, const TriangleMesh& part, const glm::d
   const auto first_material = std::uint32_t(whole.materials.size()),
              first_group = std::uint32_t(whole.groups.size());
   const std::size_t before = whole.triangles.size(), count = part.triangles.size();
-  const glm::dmat3 linear(transform);
-  const glm::dmat3 for_normals = glm::transpose(glm::inverse(linear));
-  const bool mirrors = glm::determinant(linear) < 0;
-
-  for (const vec3& p : part.positions)
-    whole.positions.push_back(vec3(glm::dvec3(transform * glm::dvec4(dvec3(p), 1))));
-  for (const vec3& n : part.normals) {
-    const dvec3 turned = for_normals * dvec3(n);
-    const double length = glm::length(turned);
-    whole.normals.push_back(length > 0 ? vec3(turned / length) : vec3(0));
-  }
   const auto oriented = [&](std::array<std::uint32_t, 3> corners) {
-    if (mirrors) std::swap(corners[1], corners[2]);
+    if (mirrored) std::swap(corners[1], corners[2]);
     return corners;
   };
+  whole.positions.insert(whole.positions.end(), part.positions.begin(), part.positions.end());
+  whole.normals.insert(whole.normals.end(), part.normals.begin(), part.normals.end());
   append_values(whole.triangle_normals, before, part.triangle_normals, count, {none, none, none},
                 [&](const auto& corners) { return oriented(shifted(corners, first_normal)); });
   append_values(whole.triangle_material, before, part.triangle_material, count, none,
@@ -76,16 +123,62 @@ void append_instance(TriangleMesh& whole, const TriangleMesh& part, const glm::d
   whole.uvs.insert(whole.uvs.end(), part.uvs.begin(), part.uvs.end());
   whole.materials.insert(whole.materials.end(), part.materials.begin(), part.materials.end());
   whole.groups.insert(whole.groups.end(), part.groups.begin(), part.groups.end());
+  TriangleMesh::Part made{std::uint32_t(before),
+                          std::uint32_t(count),
+                          first_position,
+                          std::uint32_t(part.positions.size()),
+                          {},
+                          false};
+  std::vector<bool> used(part.positions.size());
   for (const auto& triangle : part.triangles) {
-    const auto placed = oriented(shifted(triangle, first_position));
-    for (const std::uint32_t index : placed) {
-      if (!finite(whole.positions[index]))
-        throw Error(ExitCode::scene, "an instance's transform takes positions beyond the range of floats");
+    for (const std::uint32_t index : triangle) {
+      used[index] = true;
+      made.bounds.add(part.positions[index]);
+    }
+    whole.triangles.push_back(oriented(shifted(triangle, first_position)));
+  }
+  made.all_used = std::find(used.begin(), used.end(), false) == used.end();
+  add_report(whole.report, part.report);
+  whole.parts.push_back(made);
+  return std::uint32_t(whole.parts.size() - 1);
+}
+
+void place_part(TriangleMesh& whole, std::uint32_t index, const glm::dmat4& transform) {
+  const TriangleMesh::Part& part = whole.parts[index];
+  if (whole.scene_triangles() + part.triangles >= none && !whole.instances.empty())
+    throw Error(ExitCode::scene, "the scene's instances have more triangles than 32-bit numbers can name");
+  TriangleMesh::Instance instance{placed_mesh(transform), index};
+  instance.place.first_triangle = whole.instances.empty() ? 0 : std::uint32_t(whole.scene_triangles());
+  instance.place.mesh_triangle = part.first_triangle;
+  // Most instances of many lie within the bounds of those before.
+  const Bounds3 about = placed_bounds(instance.place, part.bounds);
+  Bounds3 with = whole.bounds;
+  with.add(about);
+  if (with.lo != whole.bounds.lo || with.hi != whole.bounds.hi || !finite(about.lo) || !finite(about.hi)) {
+    if (part.all_used)
+      for (std::uint32_t i = 0; i < part.positions; ++i)
+        whole.bounds.add(finite_position(instance.place, whole.positions[part.first_position + i]));
+    else
+      for (std::uint32_t t = 0; t < part.triangles; ++t)
+        for (const std::uint32_t i : whole.triangles[part.first_triangle + t])
+          whole.bounds.add(finite_position(instance.place, whole.positions[i]));
+  }
+  whole.instances.push_back(instance);
+}
+
+void append_instance(TriangleMesh& whole, const TriangleMesh& part, const glm::dmat4& transform) {
+  const TriangleMesh::Part made = whole.parts[append_part(whole, part, mirrors(transform))];
+  whole.parts.clear();
+  const PlacedMesh place = placed_mesh(transform);
+  for (std::uint32_t i = made.first_position; i < whole.positions.size(); ++i)
+    whole.positions[i] = placed_position(place, whole.positions[i]);
+  for (std::size_t i = whole.normals.size() - part.normals.size(); i < whole.normals.size(); ++i)
+    whole.normals[i] = placed_normal(place, whole.normals[i]);
+  for (std::uint32_t t = made.first_triangle; t < whole.triangles.size(); ++t)
+    for (const std::uint32_t index : whole.triangles[t]) {
+      check_finite(whole.positions[index]);
       whole.bounds.add(whole.positions[index]);
     }
-    whole.triangles.push_back(placed);
-  }
-  add_report(whole.report, part.report);
 }
 
 void append_ground(TriangleMesh& mesh, float height, float reach) {
@@ -101,7 +194,10 @@ void append_ground(TriangleMesh& mesh, float height, float reach) {
     ground.groups = {"ground"};
     ground.triangle_group = {0, 0};
   }
-  append_instance(mesh, ground, glm::dmat4(1));
+  if (mesh.instances.empty())
+    append_instance(mesh, ground, glm::dmat4(1));
+  else
+    place_part(mesh, append_part(mesh, ground, false), glm::dmat4(1));
 }
 
 }  // namespace nook

@@ -66,6 +66,8 @@ std::string mesh_hash(const TriangleMesh& mesh) {
     const std::int64_t map = map_of(mesh, material);
     XXH3_128bits_update(state.get(), &map, sizeof map);
   }
+  for (const TriangleMesh::Instance& instance : mesh.instances)
+    XXH3_128bits_update(state.get(), &instance, sizeof instance);
   if (!mesh.opacity_maps.empty()) {
     update(state.get(), mesh.uvs);
     update(state.get(), mesh.triangle_uvs);

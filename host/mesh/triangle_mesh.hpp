@@ -1,10 +1,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "kernels/shared/instance.h"
 #include "math/bounds.hpp"
 #include "math/types.hpp"
 
@@ -24,7 +26,14 @@ struct OpacityMap {
   std::vector<std::uint8_t> opacity;
 };
 
+// The kernels' layout, which has no padding: mesh_hash() reads it as bytes.
+static_assert(sizeof(PlacedMesh) == 25 * 4 && offsetof(PlacedMesh, normal) == 48 &&
+              offsetof(PlacedMesh, first_triangle) == 84);
+
 /// Indexed triangles, shared by the path tracer and SSAO.
+///
+/// With `instances`, `triangles` holds each distinct mesh once, in coordinates of its own (a part), and the
+/// scene is its instances; without, the triangles lie in the world. Bounds are of the world in any case.
 ///
 /// Invariants after loading: every index is in range; positions of every triangle are finite; `normals` are
 /// unit length. A corner without a usable normal has index `no_normal`: it shades with the geometric normal.
@@ -43,11 +52,26 @@ struct TriangleMesh {
   std::vector<std::uint32_t> triangle_group;                   ///< index into groups
   std::vector<Material> materials;
   std::vector<std::string> groups;
+  /// A mesh that is placed: a range of `triangles`, and of `positions` those that they use.
+  struct Part {
+    std::uint32_t first_triangle = 0, triangles = 0;
+    std::uint32_t first_position = 0, positions = 0;
+    Bounds3 bounds;         ///< of the positions that its triangles use, its own coordinates
+    bool all_used = false;  ///< no position is without a triangle
+  };
+  struct Instance {
+    PlacedMesh place;  ///< root and meshes are set by the tree's builder
+    std::uint32_t part = 0;
+  };
+  std::vector<Part> parts;
+  std::vector<Instance> instances;
   std::vector<OpacityMap> opacity_maps;  ///< each once, if the scene asks for cut-outs
   Bounds3 bounds;                        ///< of the positions that triangles use
   Bounds3 subject;  ///< the bounds without the ground that a scene added; empty if there is none
   /// What automatic distances and cameras refer to.
   const Bounds3& subject_bounds() const { return subject.empty() ? bounds : subject; }
+
+  std::string why_copies;  ///< of a scene with instances that are copies: a reason, for people
 
   /// What the loader found and did; `nook info` prints it.
   struct Report {
@@ -58,6 +82,12 @@ struct TriangleMesh {
   } report;
 
   bool empty() const { return triangles.empty(); }
+  /// Triangles in the world: those of a mesh placed twice count twice.
+  std::uint64_t scene_triangles() const {
+    if (instances.empty()) return triangles.size();
+    const Instance& last = instances.back();
+    return std::uint64_t(last.place.first_triangle) + parts[last.part].triangles;
+  }
   bool has_normals() const { return !triangle_normals.empty(); }
 };
 

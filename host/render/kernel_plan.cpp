@@ -7,6 +7,7 @@ KernelPlan primary_kernel(const Plan& plan) {
   kernel.options.define("SAMPLER", long(plan.sampler)).define("VERTEX_NORMALS", plan.vertex_normals);
   if (plan.materials) kernel.options.define("MATERIALS", 1);
   if (plan.cutouts) kernel.options.define("CUT_OUTS", 1);
+  if (plan.instances) kernel.options.define("INSTANCES", 1);
   return kernel;
 }
 
@@ -26,6 +27,7 @@ KernelPlan occlusion_kernel(const Plan& plan, const EffectPlan& effect) {
   if (!effect.receivers.empty()) kernel.options.define("RECEIVERS", 1);
   if (e.only_self) kernel.options.define("ONLY_SELF", 1);
   if (plan.cutouts) kernel.options.define("CUT_OUTS", 1);
+  if (plan.instances) kernel.options.define("INSTANCES", 1);
   if (e.kind == EffectKind::bent && e.view_space) kernel.options.define("BENT_VIEW", 1);
   return kernel;
 }

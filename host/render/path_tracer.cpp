@@ -106,7 +106,8 @@ PathTracer::Programs PathTracer::build_programs(const Device& device, const Plan
 }
 
 PathTracer::Tree PathTracer::upload(const Bvh& bvh) const {
-  return {device_.input(bvh.nodes), device_.input(bvh.leaves)};
+  return {device_.input(bvh.nodes), device_.input(bvh.leaves),
+          plan_.instances ? device_.input(bvh.instances) : ClBuffer{}};
 }
 
 void PathTracer::upload_sets(const TriangleMesh& mesh) {
@@ -127,8 +128,9 @@ void PathTracer::upload_sets(const TriangleMesh& mesh) {
 void PathTracer::set_tree(cl_kernel kernel, cl_uint& arg, const Tree& tree) const {
   set_arg(kernel, arg, tree.nodes);
   set_arg(kernel, arg, tree.leaves);
-  if (!plan_.cutouts) return;
-  for (const ClBuffer* buffer : {&cut_triangles_, &opacity_maps_, &opacity_}) set_arg(kernel, arg, *buffer);
+  if (plan_.cutouts)
+    for (const ClBuffer* buffer : {&cut_triangles_, &opacity_maps_, &opacity_}) set_arg(kernel, arg, *buffer);
+  if (plan_.instances) set_arg(kernel, arg, tree.instances);
 }
 
 ClKernel PathTracer::kernel(const KernelPlan& kernel) const {

@@ -123,7 +123,7 @@ class PathTracer {
 
   // A tree as kernels take it; with cut-outs what they look up follows.
   struct Tree {
-    ClBuffer nodes, leaves;
+    ClBuffer nodes, leaves, instances;
   };
 
   ClKernel kernel(const KernelPlan& kernel) const;

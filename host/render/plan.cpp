@@ -191,6 +191,7 @@ Plan make_plan(const Scene& scene, const TriangleMesh& mesh, bool surface) {
   plan.seed = scene.seed;
   plan.surface = surface;
   plan.cutouts = !mesh.opacity_maps.empty();
+  plan.instances = !mesh.instances.empty();
   if (any_lobe_of_material(scene)) plan.exponents = exponents_of(scene, mesh);
   plan.materials = !plan.exponents.empty();
   for (const Effect& effect : scene.effects) {

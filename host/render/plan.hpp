@@ -54,6 +54,7 @@ struct Plan {
   bool surface = false;         ///< the surface at the pixels' centres is read back: normal, position, depth
   bool cutouts = false;         ///< rays look up opacity maps
   bool denoise = false;         ///< the traced values are filtered
+  bool instances = false;       ///< rays go through the trees of placed meshes
   std::vector<std::vector<std::uint32_t>> occluder_sets;  ///< triangles, each set once; a tree each
   std::vector<EffectPlan> effects;                        ///< the path-traced ones
   std::vector<SsaoSettings> ssao;                         ///< the screen-space ones

@@ -19,7 +19,14 @@ std::uint64_t bytes_of(const Vector& values) {
 
 void add_passes(const Plan& plan, const TriangleMesh& mesh, PlanReport& report) {
   if (plan.needs_opencl())
-    report.passes.push_back({"tree", fmt::format("over {} triangles", mesh.triangles.size()), 0});
+    report.passes.push_back(
+        {"tree",
+         plan.instances ? fmt::format("over {} instances that stand for {} triangles, and one for each of {} "
+                                      "meshes, {} triangles",
+                                      mesh.instances.size(), mesh.scene_triangles(), mesh.parts.size(),
+                                      mesh.triangles.size())
+                        : fmt::format("over {} triangles", mesh.triangles.size()),
+         0});
   for (const auto& set : plan.occluder_sets)
     report.passes.push_back(
         {"tree", fmt::format("over the {} triangles of a set of occluders", set.size()), 0});
@@ -61,6 +68,7 @@ void add_buffers(const Plan& plan, const TriangleMesh& mesh, const Bvh& bvh, Pla
                     {"tree leaves", bytes_of(bvh.leaves)},
                     {"positions", bytes_of(mesh.positions)},
                     {"triangles", bytes_of(mesh.triangles)}};
+  if (plan.instances) report.buffers.push_back({"instances", bytes_of(bvh.instances)});
   if (plan.vertex_normals) {
     report.buffers.push_back({"normals", bytes_of(mesh.normals)});
     report.buffers.push_back({"triangle normals", bytes_of(mesh.triangle_normals)});
@@ -117,6 +125,9 @@ void add_left_out(const Scene& scene, const Plan& plan, const TriangleMesh& mesh
     out("no cut-outs, no texture is read: no material has an opacity map (map_d)");
   if (plan.cutouts && !plan.ssao.empty()) out("SSAO draws triangles whole: no cut-outs there");
   if (!plan.effects.empty() && !plan.denoise) out("no denoiser: the scene does not ask for it");
+  if (plan.instances) out("no copies of instances: a ray goes through the trees of their meshes");
+  if (plan.needs_opencl() && !mesh.why_copies.empty())
+    out("no tree over instances, they are copies: " + mesh.why_copies);
   add_left_out_rays(plan, mesh, report);
 }
 

@@ -68,6 +68,10 @@ void read_input(TomlTable& input, TomlTable& ground, const toml::node* instances
   }
   if (!scene.instances.empty()) scene.mesh_file = scene.instances.front().mesh_file;
   scene.cutouts = input.boolean("cutouts", false);
+  scene.instancing = input.choice<Instancing>("instancing", Instancing::automatic, instancing_names);
+  if (scene.instances.empty() && scene.instancing != Instancing::automatic)
+    fail_at(input.file(), input.find("instancing")->source(),
+            "instancing needs [[instance]] or a list of meshes");
   if (!ground) return;
   scene.ground.emplace();
   scene.ground->height = number_or_auto(ground, "height", -1e30, "a number, or \"auto\"");

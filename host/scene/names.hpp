@@ -41,6 +41,8 @@ inline constexpr std::pair<std::string_view, Falloff> falloff_names[] = {
     {"exponential", Falloff::exponential}};
 inline constexpr std::pair<std::string_view, Side> side_names[] = {
     {"normal", Side::normal}, {"inside", Side::inside}, {"viewer", Side::viewer}};
+inline constexpr std::pair<std::string_view, Instancing> instancing_names[] = {
+    {"auto", Instancing::automatic}, {"copies", Instancing::copies}, {"tree", Instancing::tree}};
 inline constexpr std::pair<std::string_view, SsaoSettings::Method> ssao_method_names[] = {
     {"point", SsaoSettings::Method::point},
     {"gtao", SsaoSettings::Method::gtao},
@@ -67,6 +69,9 @@ inline std::string_view name_of(EffectKind v) {
 }
 inline std::string_view name_of(Falloff v) {
   return name_of<Falloff>(falloff_names, v);
+}
+inline std::string_view name_of(Instancing v) {
+  return name_of<Instancing>(instancing_names, v);
 }
 inline std::string_view name_of(Side v) {
   return name_of<Side>(side_names, v);

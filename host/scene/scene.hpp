@@ -90,6 +90,10 @@ struct Instance {
   vec3 scale{1};
 };
 
+/// How the instances are kept: as copies of their meshes' triangles, or as a tree for each mesh and one over
+/// the places; the same picture. Automatic: see render/scene_mesh.hpp.
+enum class Instancing { automatic, copies, tree };
+
 /// A large square below everything.
 struct Ground {
   std::optional<float> height;  ///< y, world units; unset: the lowest point of the mesh
@@ -112,6 +116,7 @@ struct Scene {
   std::filesystem::path file;       ///< as the user named it; for messages
   std::filesystem::path mesh_file;  ///< resolved against the scene file's folder
   std::vector<Instance> instances;  ///< if any, they are the scene, and mesh_file is the first one's
+  Instancing instancing = Instancing::automatic;
   std::optional<Ground> ground;
   bool cutouts = false;  ///< materials' opacity maps (map_d) cut holes
   Camera camera;

@@ -7,6 +7,7 @@
 #ifdef __OPENCL_C_VERSION__
 #include "config.h"
 #include "shared/cut_out.h"
+#include "shared/instance.h"
 #endif
 
 #define BVH_WIDTH 16           // children of a node
@@ -14,8 +15,14 @@
 #define BVH_LEAF 0x80000000u   // in BvhNode.child: the rest is an index into the leaves, not the nodes
 #define BVH_EMPTY 0xffffffffu  // no child: its box is (+inf, -inf), which no ray meets
 #define BVH_MAX_DEPTH 33       // levels of nodes that the builder may make
-// A popped node pushes BVH_WIDTH children at most, so each level keeps BVH_WIDTH - 1 entries waiting.
-#define BVH_STACK_SIZE (BVH_MAX_DEPTH * (BVH_WIDTH - 1) + 1)
+// A popped node pushes BVH_WIDTH children at most, so each level keeps BVH_WIDTH - 1 entries waiting. With INSTANCES a mesh's tree
+// stands on a leaf of the tree over the instances, which pushes BVH_LEAF_WIDTH of them: on the level below its last nodes.
+#if defined(__OPENCL_C_VERSION__) && INSTANCES
+#define BVH_TREES 2
+#else
+#define BVH_TREES 1
+#endif
+#define BVH_STACK_SIZE (BVH_TREES * BVH_MAX_DEPTH * (BVH_WIDTH - 1) + 1)
 
 // Read as:
 //   for axis, lane: enter = ((d[axis] < 0 ? hi : lo)[axis][lane] - origin[axis]) / d[axis] ...
@@ -37,21 +44,52 @@ typedef struct {
 } TriangleLeaf;
 
 #ifdef __OPENCL_C_VERSION__
-// What a kernel passes through to the traversal: its buffers are Bvh::nodes and Bvh::leaves, in this order, and with CUT_OUTS
-// those of CutOuts. BVH_ARGS_AT: of several trees in one pair of buffers, the one that starts there.
+// What a kernel passes through to the traversal: its buffers are Bvh::nodes and Bvh::leaves, in this order, with CUT_OUTS
+// those of CutOuts, and with INSTANCES Bvh::instances. BVH_ARGS_AT: of several trees in one pair of buffers, the one that starts
+// there.
 #if CUT_OUTS
 #define WITH_CUT_PARAMS CUT_PARAMS,
 #define WITH_CUT_ARGS CUT_ARGS,
-#define BVH_PARAMS __global const BvhNode *nodes, __global const TriangleLeaf *leaves, CUT_PARAMS
-#define BVH_ARGS_AT(node, leaf) nodes + (node), leaves + (leaf), CUT_ARGS
-#define BVH_ARGS nodes, leaves, CUT_ARGS
+#define AND_CUT_PARAMS , CUT_PARAMS
+#define AND_CUT_ARGS , CUT_ARGS
 #else
 #define WITH_CUT_PARAMS
 #define WITH_CUT_ARGS
-#define BVH_PARAMS __global const BvhNode *nodes, __global const TriangleLeaf *leaves
-#define BVH_ARGS_AT(node, leaf) nodes + (node), leaves + (leaf)
-#define BVH_ARGS nodes, leaves
+#define AND_CUT_PARAMS
+#define AND_CUT_ARGS
 #endif
+#if INSTANCES
+#define AND_INSTANCE_PARAMS , __global const PlacedMesh *instances
+#define AND_INSTANCE_ARGS , instances
+#define WITH_INSTANCE_PARAMS __global const PlacedMesh *instances,
+#define WITH_INSTANCE_ARGS instances,
+#else
+#define AND_INSTANCE_PARAMS
+#define AND_INSTANCE_ARGS
+#define WITH_INSTANCE_PARAMS
+#define WITH_INSTANCE_ARGS
+#endif
+#define BVH_PARAMS __global const BvhNode *nodes, __global const TriangleLeaf *leaves AND_CUT_PARAMS AND_INSTANCE_PARAMS
+#define BVH_ARGS_AT(node, leaf) nodes + (node), leaves + (leaf)AND_CUT_ARGS AND_INSTANCE_ARGS
+#define BVH_ARGS nodes, leaves AND_CUT_ARGS AND_INSTANCE_ARGS
+
+// Nodes and leaves as the tests of rays take them: with INSTANCES a traversal moves them into the world first.
+#if INSTANCES
+typedef struct {
+  float p[3][3][BVH_LEAF_WIDTH];         // as in TriangleLeaf
+  nook_uint triangle[BVH_LEAF_WIDTH];    // the number in the scene
+  nook_uint stored[BVH_LEAF_WIDTH];      // in the mesh buffers
+} PlacedLeaf;
+#define TREE_SPACE __private
+#define TREE_LEAF TREE_SPACE const PlacedLeaf
+#define STORED_TRIANGLE(leaf, lane) (leaf)->stored[lane]
+#else
+#define TREE_SPACE __global
+#define TREE_LEAF TREE_SPACE const TriangleLeaf
+#define STORED_TRIANGLE(leaf, lane) (leaf)->triangle[lane]
+#endif
+#define TREE_NODE TREE_SPACE const BvhNode
+#define TREE_FLOATS TREE_SPACE const float
 #endif
 
 #endif

@@ -19,7 +19,7 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"base", {}},
     {"math", {"base"}},
     {"scene", {"base", "math"}},
-    {"mesh", {"base", "math"}},
+    {"mesh", {"base", "math", "kernels"}},
     {"bvh", {"base", "math", "mesh", "kernels"}},
     {"device", {"base", "math", "scene", "mesh", "bvh", "kernels"}},
     {"film", {"base", "math"}},

@@ -1,0 +1,101 @@
+#include "bvh/instance_trees.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mesh/instance.hpp"
+
+namespace nook {
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity(),
+                largest = std::numeric_limits<float>::max();
+
+// The world's box of a placed part: of the boxes of its root's children, for they lie closer than the root's.
+// Grown by an ulp as theirs are, and finite as its vertices are.
+Bounds3 box_of(const PlacedMesh& place, const BvhNode& root) {
+  Bounds3 box;
+  for (int lane = 0; lane < BVH_WIDTH && root.child[lane] != BVH_EMPTY; ++lane) {
+    Bounds3 child;
+    for (int axis = 0; axis < 3; ++axis) {
+      child.lo[axis] = root.lo[axis][lane];
+      child.hi[axis] = root.hi[axis][lane];
+    }
+    box.add(placed_bounds(place, child));
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    box.lo[axis] = std::max(std::nextafter(box.lo[axis], -infinity), -largest);
+    box.hi[axis] = std::min(std::nextafter(box.hi[axis], infinity), largest);
+  }
+  return box;
+}
+
+// The tree over boxes: each is a triangle between two of its corners and a third, which has the box's bounds.
+Bvh tree_over(const std::vector<Bounds3>& boxes, const std::vector<nook_uint>& names,
+              const BvhOptions& options) {
+  TriangleMesh stand_ins;
+  for (const Bounds3& box : boxes) {
+    const auto first = std::uint32_t(stand_ins.positions.size());
+    for (const vec3& corner : {box.lo, box.hi, vec3(box.lo.x, box.hi.y, box.lo.z)})
+      stand_ins.positions.push_back(corner);
+    stand_ins.triangles.push_back({first, first + 1, first + 2});
+  }
+  Bvh bvh = build_bvh(stand_ins, options);
+  for (TriangleLeaf& leaf : bvh.leaves)
+    for (nook_uint& name : leaf.triangle)
+      if (name != BVH_EMPTY) name = names[name];
+  return bvh;
+}
+
+// Appends a tree and says where its root is; what it had is freed.
+nook_uint append_tree(Bvh& whole, Bvh&& part) {
+  const auto first_node = nook_uint(whole.nodes.size()), first_leaf = nook_uint(whole.leaves.size());
+  for (BvhNode node : part.nodes) {
+    for (nook_uint& child : node.child)
+      if (child != BVH_EMPTY) child += child & BVH_LEAF ? first_leaf : first_node;
+    whole.nodes.push_back(node);
+  }
+  whole.leaves.insert(whole.leaves.end(), part.leaves.begin(), part.leaves.end());
+  part = {};
+  return first_node;
+}
+
+}  // namespace
+
+Bvh join_trees(const TriangleMesh& mesh, std::vector<Bvh> parts, const BvhOptions& options) {
+  std::vector<Bounds3> boxes;
+  std::vector<nook_uint> names;
+  for (std::size_t i = 0; i < mesh.instances.size(); ++i) {
+    const TriangleMesh::Instance& instance = mesh.instances[i];
+    const BvhNode& root = parts[instance.part].nodes.front();
+    if (root.child[0] == BVH_EMPTY) continue;
+    boxes.push_back(box_of(instance.place, root));
+    names.push_back(nook_uint(i));
+  }
+  Bvh whole = tree_over(boxes, names, options);
+  Bvh::Statistics& all = whole.statistics;
+  std::vector<nook_uint> roots;
+  unsigned deepest = 0;
+  std::size_t leaves = 0, filled = 0;
+  for (Bvh& part : parts) {
+    all.build_seconds += part.statistics.build_seconds;
+    all.collapse_seconds += part.statistics.collapse_seconds;
+    all.sah_cost += part.statistics.sah_cost;
+    deepest = std::max(deepest, part.statistics.depth);
+    leaves += part.leaves.size();
+    filled += std::size_t(part.statistics.triangles_per_leaf * double(part.leaves.size()) + 0.5);
+    roots.push_back(append_tree(whole, std::move(part)));
+  }
+  all.depth += deepest;
+  all.triangles_per_leaf = double(filled) / double(leaves);
+  for (const TriangleMesh::Instance& instance : mesh.instances) {
+    PlacedMesh place = instance.place;
+    place.root = roots[instance.part];
+    place.meshes = nook_uint(mesh.instances.size());
+    whole.instances.push_back(place);
+  }
+  return whole;
+}
+
+}  // namespace nook

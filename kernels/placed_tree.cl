@@ -1,0 +1,98 @@
+// Trees of placed meshes, as a traversal opens them: the boxes and triangles of a mesh's own tree, moved into the world. Rays stay
+// where they are, so that a ray meets exactly the triangles that it would meet in a tree over copies of the meshes: a placed
+// vertex has the bits of the copy's vertex, and a placed box holds all of them.
+#ifndef NOOK_PLACED_TREE_CL
+#define NOOK_PLACED_TREE_CL
+
+#include "shared/bvh.h"
+#include "shared/instance.h"
+#include "stream_rays.cl"
+
+#if INSTANCES
+
+#define NO_INSTANCE 0xffffffffu  // an item of the tree over the instances
+
+// A node of any of the trees: its children's boxes in the world, and the placed mesh that each of them is in.
+typedef struct {
+  BvhNode node;
+  uint instance[BVH_WIDTH];
+} OpenedNode;
+
+// One coordinate of a box's lower (or, `upper`, its upper) corner after placing. Within the box each fma of PLACED is least at the
+// corner that the signs of the row choose; all its vertices are placed by PLACED too, so none lies below. Then grown by an ulp or
+// two, as the boxes of the tree are (bvh.h).
+INLINE float16 placed_planes(__global const BvhNode* node, __global const float* row, bool upper) {
+  __global const float* planes = &node->lo[0][0];
+  const uint x = (row[0] < 0.0f) != upper ? HI_PLANES : 0u, y = (row[1] < 0.0f) != upper ? HI_PLANES : 0u,
+             z = (row[2] < 0.0f) != upper ? HI_PLANES : 0u;
+  const float16 bound = fma((float16)(row[0]), vload16(0, planes + x),
+                            fma((float16)(row[1]), vload16(1, planes + y),
+                                fma((float16)(row[2]), vload16(2, planes + z), (float16)(row[3]))));
+  const float16 growth = fma(fabs(bound), 0x1p-23f, (float16)(0x1p-126f));
+  return upper ? bound + growth : bound - growth;
+}
+
+INLINE void open_placed_node(OpenedNode* opened, __global const BvhNode* node, __global const PlacedMesh* mesh, uint instance) {
+  const uint16 child = vload16(0, node->child);
+  // A slot without a child has infinite planes, and 0 times them would be NaN: those of x alone keep every ray out.
+  const int16 empty = child == BVH_EMPTY;
+  const float16 lo = placed_planes(node, mesh->point[0], false), hi = placed_planes(node, mesh->point[0], true);
+  STORE_FLOATS(opened->node.lo[0], empty ? (float16)(INFINITY) : lo);
+  STORE_FLOATS(opened->node.hi[0], empty ? (float16)(-INFINITY) : hi);
+  for (uint axis = 1; axis < 3; ++axis) {
+    STORE_FLOATS(opened->node.lo[axis], placed_planes(node, mesh->point[axis], false));
+    STORE_FLOATS(opened->node.hi[axis], placed_planes(node, mesh->point[axis], true));
+  }
+  STORE_UINTS(opened->node.child, child);
+  STORE_UINTS(opened->instance, (uint16)(instance));
+}
+
+// A leaf of the tree over the instances: lane i holds the placed mesh triangle[i], the lower corner of its box as p[0], the upper as
+// p[1]. As a node, its children are the roots of the meshes' trees.
+INLINE void open_instances(OpenedNode* opened, __global const TriangleLeaf* leaf, __global const PlacedMesh* instances) {
+  for (uint axis = 0; axis < 3; ++axis)
+    for (uint lane = 0; lane < BVH_WIDTH; ++lane) {
+      const bool used = lane < BVH_LEAF_WIDTH && leaf->triangle[lane] != BVH_EMPTY;
+      opened->node.lo[axis][lane] = used ? leaf->p[0][axis][lane] : INFINITY;
+      opened->node.hi[axis][lane] = used ? leaf->p[1][axis][lane] : -INFINITY;
+    }
+  for (uint lane = 0; lane < BVH_WIDTH; ++lane) {
+    const bool used = lane < BVH_LEAF_WIDTH && leaf->triangle[lane] != BVH_EMPTY;
+    opened->instance[lane] = used ? leaf->triangle[lane] : NO_INSTANCE;
+    opened->node.child[lane] = used ? instances[leaf->triangle[lane]].root : BVH_EMPTY;
+  }
+}
+
+// Anything but a leaf of triangles.
+INLINE void open_node(OpenedNode* opened, __global const BvhNode* nodes, __global const TriangleLeaf* leaves,
+                      __global const PlacedMesh* instances, uint item, uint instance) {
+  if (instance != NO_INSTANCE) {
+    open_placed_node(opened, &nodes[item], &instances[instance], instance);
+  } else if (item & BVH_LEAF) {
+    open_instances(opened, &leaves[item & ~BVH_LEAF], instances);
+  } else {
+    opened->node = nodes[item];
+    STORE_UINTS(opened->instance, (uint16)(NO_INSTANCE));
+  }
+}
+
+// A leaf of triangles, with their numbers in the scene.
+INLINE void open_leaf(PlacedLeaf* opened, __global const TriangleLeaf* leaf, __global const PlacedMesh* mesh) {
+  for (uint corner = 0; corner < 3; ++corner) {
+    const leaf_float x = LOAD_LEAF(leaf->p[corner][0]), y = LOAD_LEAF(leaf->p[corner][1]), z = LOAD_LEAF(leaf->p[corner][2]);
+    for (uint axis = 0; axis < 3; ++axis) {
+      __global const float* row = mesh->point[axis];
+      STORE_LEAF(opened->p[corner][axis], fma((leaf_float)(row[0]), x,
+                                              fma((leaf_float)(row[1]), y, fma((leaf_float)(row[2]), z, (leaf_float)(row[3])))));
+    }
+  }
+  const uint to_scene = mesh->first_triangle - mesh->mesh_triangle;
+  for (uint lane = 0; lane < BVH_LEAF_WIDTH; ++lane) {
+    opened->stored[lane] = leaf->triangle[lane];
+    opened->triangle[lane] = leaf->triangle[lane] == BVH_EMPTY ? BVH_EMPTY : leaf->triangle[lane] + to_scene;
+  }
+}
+
+#endif
+
+#endif
