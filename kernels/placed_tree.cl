@@ -12,6 +12,11 @@
 
 #define NO_INSTANCE 0xffffffffu  // an item of the tree over the instances
 
+float3 placed_point(__global const PlacedMesh* mesh, float3 p) {
+  return (float3)(PLACED(mesh->point[0], p.x, p.y, p.z), PLACED(mesh->point[1], p.x, p.y, p.z),
+                  PLACED(mesh->point[2], p.x, p.y, p.z));
+}
+
 // A node of any of the trees: its children's boxes in the world, and the placed mesh that each of them is in.
 typedef struct {
   BvhNode node;

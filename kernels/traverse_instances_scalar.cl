@@ -6,7 +6,6 @@
 #include "intersect.cl"
 #include "leaf_holes.cl"
 #include "placed_tree.cl"
-#include "triangle.cl"
 
 #if INSTANCES
 

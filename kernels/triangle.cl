@@ -3,7 +3,7 @@
 #ifndef NOOK_TRIANGLE_CL
 #define NOOK_TRIANGLE_CL
 
-#include "shared/bvh.h"
+#include "placed_tree.cl"
 
 // What a kernel passes through.
 #define TRIANGLE_PARAMS __global const float *positions, __global const uint *triangles AND_INSTANCE_PARAMS
@@ -14,11 +14,6 @@ float3 load3(__global const float* values, uint index) {
 }
 
 #if INSTANCES
-float3 placed_point(__global const PlacedMesh* mesh, float3 p) {
-  return (float3)(PLACED(mesh->point[0], p.x, p.y, p.z), PLACED(mesh->point[1], p.x, p.y, p.z),
-                  PLACED(mesh->point[2], p.x, p.y, p.z));
-}
-
 // The placed mesh that has the triangle: the last that starts no later.
 __global const PlacedMesh* mesh_of(__global const PlacedMesh* instances, uint triangle) {
   uint first = 0, end = instances->meshes;
