@@ -15,6 +15,7 @@ using namespace nook::meshgen;
 const std::map<std::string, std::function<Model()>> models = {
     {"cbox", cornell_box},
     {"fence", fence},
+    {"fir", fir},
     {"hard_contact", [] { return hard_contact(1, dvec3(0)); }},
     {"hard_contact_far", [] { return hard_contact(1, dvec3(4096, 4096, 4096)); }},
     {"hard_contact_large", [] { return hard_contact(1e6, dvec3(0)); }},
@@ -22,6 +23,7 @@ const std::map<std::string, std::function<Model()>> models = {
     {"hard_slivers", hard_slivers},
     {"hard_spikes", hard_spikes},
     {"hard_wedge", hard_wedge},
+    {"oak", oak},
     {"room", furnished_room},
     {"spaceship", spaceship},
 };

@@ -15,6 +15,10 @@ Model spaceship();
 /// Pickets, wires and leaves millimetres thick before shelves: what screen-space methods take for walls.
 Model fence();
 
+/// Trees to be placed many times: an oak of thin folded leaves, a fir of sprays of needles; they stand on y=0.
+Model oak();
+Model fir();
+
 /// A closed room of about a million triangles, rich in nooks; the camera stands inside.
 Model furnished_room();
 

@@ -3,8 +3,11 @@
 // distance limit) cosine-weighted values are integrals over 2 m dm, and the directions with m < c are open.
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "effects_geometry.hpp"
 #include "expect_error.hpp"
+#include "mesh/instance.hpp"
 
 namespace nook::test {
 namespace {
@@ -92,7 +95,7 @@ TEST(EffectSettings, InsideLooksTheOtherWay) {
   TriangleMesh slab = plane_at(0);
   const TriangleMesh bottom = plane_at(-1);
   add_quad(slab, bottom.positions[0], bottom.positions[1] - bottom.positions[0],
-                    bottom.positions[3] - bottom.positions[0]);
+           bottom.positions[3] - bottom.positions[0]);
   Effect effect = ao_within(2);
   EXPECT_EQ(estimate_at_origin(slab, effect).value(0), 1);
   effect.side = Side::inside;
@@ -121,6 +124,20 @@ TEST(EffectSettings, InsideOfASlabUnderTheCamera) {
 
 // A plane with its normal upwards, a ceiling above it, the camera below: the normal's side is half hidden,
 // the viewer's is open.
+// A ground one below a point of a wall: directions with d.y < -1/R meet it within R, of the disc that
+// cosine-weighted directions fill a segment of (arccos c - c sqrt(1 - c²)) / π; without a limit it is half of
+// the disc.
+TEST(EffectSettings, GroundUnderAWall) {
+  TriangleMesh wall;
+  add_quad(wall, {-0.01f, -0.01f, -1}, {0.02f, 0, 0}, {0, 0.02f, 0});
+  append_ground(wall, -1, 1000);
+  expect_value(estimate_at_origin(wall, ao_within(2)),
+               1 - (std::acos(c) - c * std::sqrt(1 - c * c)) / std::numbers::pi);
+  Effect endless;
+  endless.max_distance = {DistanceLimit::Kind::none, 0};
+  expect_value(estimate_at_origin(wall, endless), 0.5);
+}
+
 TEST(EffectSettings, ViewersSide) {
   TriangleMesh mesh = plane_at(0);
   add_quad(mesh, {-1000, -1000, 1}, {2000, 0, 0}, {0, 2000, 0});

@@ -19,6 +19,11 @@ std::vector<std::filesystem::path> shipped_scenes() {
   return scenes;
 }
 
+bool has_pass(const nlohmann::json& plan, const std::string& name) {
+  return std::any_of(plan["passes"].begin(), plan["passes"].end(),
+                     [&](const nlohmann::json& pass) { return pass["name"] == name; });
+}
+
 class ShippedScenePlan : public ::testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(ShippedScenePlan, IsExplained) {
@@ -32,11 +37,7 @@ TEST_P(ShippedScenePlan, IsExplained) {
   EXPECT_FALSE(plan["layers"].empty());
   EXPECT_FALSE(plan["libraries"].empty());
   EXPECT_FALSE(plan["left_out"].empty());
-  bool ssao = false, traced = false;
-  for (const auto& pass : plan["passes"]) {
-    ssao = ssao || pass["name"] == "ssao";
-    traced = traced || pass["name"] == "occlusion";
-  }
+  const bool ssao = has_pass(plan, "ssao"), traced = has_pass(plan, "occlusion") || has_pass(plan, "surface");
   EXPECT_TRUE(ssao || traced);
   EXPECT_EQ(plan["kernels"].empty(), !traced);
   EXPECT_EQ(plan["buffers"].empty(), !traced);
@@ -50,14 +51,16 @@ TEST_P(ShippedScenePlan, RejectsNoSample) {
   const std::string scene = "'" + GetParam().string() + "'";
   const ProgramResult planned = run_nook(folder, "plan --json " + scene);
   if (planned.exit_code != 0) GTEST_SKIP() << "its mesh has not been generated";
-  const bool traced = !nlohmann::json::parse(planned.out)["kernels"].empty();
+  const auto plan = nlohmann::json::parse(planned.out);
+  const bool sampled = has_pass(plan, "occlusion");
   const std::string out = (folder / "out.exr").string(), record = (folder / "stats.json").string();
   const ProgramResult run = run_nook(folder, "render " + scene + " --size 80x60 --no-png --quiet -o '" + out +
-                                                 "' --stats '" + record + "'" + (traced ? " --spp 4" : ""));
+                                                 "' --stats '" + record + "'" + (sampled ? " --spp 4" : ""));
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto stats = nlohmann::json::parse(read_bytes(record));
   EXPECT_EQ(stats.at("rejected_samples"), 0);
-  EXPECT_EQ(stats.at("rays").at("camera") > 0, traced);
+  EXPECT_EQ(stats.at("rays").at("camera") > 0, sampled || has_pass(plan, "surface"));
+  EXPECT_EQ(stats.at("rays").at("occlusion") > 0, sampled);
 }
 
 INSTANTIATE_TEST_SUITE_P(
