@@ -137,6 +137,11 @@
 #error "INSTANCES: ONLY_SELF needs a tree of copies for each group"
 #endif
 
+// 1: a point with nothing in reach traces nothing; see reach.cl.
+#ifndef REACH
+#define REACH 0
+#endif
+
 // 1: one ray at a time, for GPUs; 0: streams of rays over vectors of boxes and triangles, for CPUs. The same bits.
 #ifndef TRAVERSAL_SCALAR
 #define TRAVERSAL_SCALAR 0

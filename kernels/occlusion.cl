@@ -8,6 +8,7 @@
 #include "ambient.cl"
 #include "reflection.cl"
 #include "cone.cl"
+#include "reach.cl"
 #include "sets.cl"
 #include "side.cl"
 #include "shared/camera.h"
@@ -78,12 +79,14 @@ __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* task
     }
     ulong of_sample[STREAM];
     for (uint j = 0; j < samples; ++j) of_sample[j] = 0;
+    uint free = hits;  // bit j: sample first + j has had nothing in reach
     for (uint begin = 0; begin < p.directions; begin += STREAM) {
       const uint count = min(STREAM, p.directions - begin);
       RayDirections origins, directions;
       float weight[STREAM];
       uint group[STREAM];
       uint active = 0;
+      AskedPoints asked;
       for (uint rest = hits; rest; rest &= rest - 1) {
         const uint j = lowest_bit(rest);
         const uint of_item = (first + j) / p.samples, sample = (first + j) % p.samples;
@@ -97,6 +100,8 @@ __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* task
           origin = origin_on_other_side(point, TRIANGLE_ARGS, origin, normal);
           normal = -normal;
         }
+        if (REACH) asked.nx[j] = normal.x, asked.ny[j] = normal.y, asked.nz[j] = normal.z;
+        if (REACH && ONLY_SELF) asked.set[j] = triangle_groups[point->triangle];
         for (uint k = 0; k < count; ++k) {
           const uint ray = j * count + k;
           float3 d;
@@ -119,10 +124,30 @@ __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* task
         }
       }
       float visibility[STREAM];
+      uint unreached = 0;
+      if (REACH) {
+        uint rest = hits;
+        while (rest) {
+          const uint j = lowest_bit(rest), of_item = (first + j) / p.samples;
+          const uint end = p.directions >= ASKED_ALONE ? j + 1u : min(samples, (of_item + 1u) * p.samples - first);
+          const uint together = rest & (end == 32u ? 0xffffffffu : (1u << end) - 1u);
+          rest &= ~together;
+          // What was in reach of the first directions is in reach.
+          const uint out = together & ~free ? 0u
+                                            : unreached_rays(BVH_ARGS, first_of_group, &asked, together, count, &origins,
+                                                             &directions, active, &p);
+          if (!out) free &= ~together;
+          result[of_item].rays -= popcount(out);
+          unreached |= out;
+        }
+      }
+      active &= ~unreached;
       uint open = ONLY_SELF ? visible_within_groups(BVH_ARGS, first_of_group, group, &origins, &directions, active, &p,
                                                     visibility)
                             : visible_rays(BVH_ARGS, &origins, &directions, active, &p, visibility);
-      for (; open; open &= open - 1) {
+      if (FALLOFF != FALLOFF_NONE)
+        for (uint rest = unreached; rest; rest &= rest - 1) visibility[lowest_bit(rest)] = 1.0f;
+      for (open |= unreached; open; open &= open - 1) {
         const uint ray = lowest_bit(open), j = ray / count, of_item = (first + j) / p.samples;
         const float value = FALLOFF == FALLOFF_NONE ? weight[ray] : weight[ray] * visibility[ray];
         of_sample[j] += convert_ulong_rte(value * p.sum_scale);
@@ -133,6 +158,7 @@ __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* task
     for (uint rest = hits; rest; rest &= rest - 1) {
       const uint j = lowest_bit(rest), of_item = (first + j) / p.samples;
       result[of_item].sum += of_sample[j];
+      if (REACH) result[of_item].free += free >> j & 1u;
       if (REPLICATE_DIRECTIONS) continue;
       const float mean = (float)of_sample[j] / (p.sum_scale * (float)p.directions);
       result[of_item].sum_square += convert_ulong_rte(mean * mean * p.square_scale);

@@ -24,6 +24,7 @@ KernelPlan occlusion_kernel(const Plan& plan, const EffectPlan& effect) {
   if (e.kind != EffectKind::ro && e.cone_angle < 90) kernel.options.define("CONE", 1);
   if (e.side != Side::normal) kernel.options.define("SIDE", long(e.side));
   if (e.kind == EffectKind::bent) kernel.options.define("BENT", 1);
+  if (effect.reach) kernel.options.define("REACH", 1);
   if (!effect.receivers.empty()) kernel.options.define("RECEIVERS", 1);
   if (e.only_self) kernel.options.define("ONLY_SELF", 1);
   if (plan.cutouts) kernel.options.define("CUT_OUTS", 1);

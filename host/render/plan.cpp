@@ -66,6 +66,9 @@ const Effect& main_effect(const Scene& scene) {
   return found == scene.effects.end() ? scene.effects.front() : *found;
 }
 
+// Asking pays where the answer is often no: within a part of the scene's radius.
+constexpr float reach_of_radius = 0.25f;
+
 // The effect's own name, else its type, numbered if that is taken; an unnamed main effect needs none (bent
 // normals have channels beyond R, G, B).
 std::string layer_prefix(const Scene& scene, const Effect& effect, const std::vector<LayerPlan>& before) {
@@ -206,6 +209,7 @@ Plan make_plan(const Scene& scene, const TriangleMesh& mesh, bool surface) {
       planned.layer = layer.prefix;
       planned.effect = effect;
       planned.max_distance = resolve_distance(effect, mesh.subject_bounds(), scene.compat_tinyrender);
+      planned.reach = planned.max_distance <= reach_of_radius * mesh.subject_bounds().bounding_radius();
       choose_scales(planned, effect.exponent_of_material
                                  ? *std::max_element(plan.exponents.begin(), plan.exponents.end())
                                  : effect.exponent);

@@ -16,6 +16,7 @@ namespace nook {
 struct EffectPlan {
   Effect effect;
   float max_distance = 0;   ///< resolved, world units; infinity if unlimited
+  bool reach = false;       ///< points are asked whether anything is in reach before their rays are traced
   double weight_bound = 1;  ///< no sample's weight exceeds it
   float sum_scale = 1;      ///< of Film::sum
   float square_scale = 1;   ///< of Film::sum_square

@@ -100,6 +100,12 @@ void add_left_out_rays(const Plan& plan, const TriangleMesh& mesh, PlanReport& r
   auto out = [&](std::string why) { report.left_out.push_back(std::move(why)); };
   if (plan.effects.empty()) return;
   out("no occlusion rays where a camera ray hits nothing");
+  for (const EffectPlan& effect : plan.effects)
+    if (effect.reach)
+      out(fmt::format("no rays from points with nothing within {:.9g} of them ({})", effect.max_distance,
+                      effect.layer.empty()
+                          ? name_of(effect.effect.kind)
+                          : std::string_view(effect.layer).substr(0, effect.layer.size() - 1)));
   const bool below = std::any_of(plan.effects.begin(), plan.effects.end(), [](const EffectPlan& e) {
     return e.effect.kind == EffectKind::ro || e.effect.sampling == Sampling::sphere;
   });

@@ -10,7 +10,7 @@ typedef struct {
   nook_uint hits;         // camera rays that hit the mesh
   nook_uint rays;         // occlusion rays traced
   nook_uint rejected;     // estimates that were not finite, left out of the sums
-  nook_uint reserved;
+  nook_uint free;         // camera rays at whose points nothing was in reach; 0 where that is not asked (REACH)
 } TaskResult;
 
 #endif
