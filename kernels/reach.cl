@@ -156,7 +156,7 @@ INLINE bool leaf_in_reach(__global const TriangleLeaf* leaf, const Reach* r) {
 }
 
 // Whether anything may be in reach; false only if nothing is.
-bool in_reach(BVH_PARAMS, const Reach* r) {
+bool in_reach(__global const BvhNode* nodes, __global const TriangleLeaf* leaves, const Reach* r) {
   uint stack[BVH_STACK_SIZE + BVH_WIDTH];
   uint size = 1;
   stack[0] = 0;
@@ -187,19 +187,20 @@ typedef struct {
 } AskedPoints;
 
 // Of the samples `asked` with `count` rays each in the stream, all of one task: those of the `active` rays that need not be traced.
-INLINE uint unreached_rays(BVH_PARAMS, __global const uint* first_of_group, const AskedPoints* points, uint asked, uint count,
-                           const RayDirections* origins, const RayDirections* d, uint active, const EstimatorParams* p) {
+INLINE uint unreached_rays(__global const BvhNode* nodes, __global const TriangleLeaf* leaves, __global const uint* first_of_group,
+                           const AskedPoints* points, uint asked, uint count, const RayDirections* origins, const RayDirections* d,
+                           uint active, const EstimatorParams* p) {
   const uint j = LOWEST_BIT(asked), last = 31u - clz(asked);
   const uint end = (last + 1u) * count;
   const uint rays = active & (end == 32u ? 0xffffffffu : (1u << end) - 1u) & 0xffffffffu << j * count;
   if (!rays) return 0;
   const Reach reach = reach_of(origins, d, rays, j == last, (float3)(points->nx[j], points->ny[j], points->nz[j]),
                                MIN_DISTANCE ? p->min_distance : 0.0f, p->max_distance);
-  if (!ONLY_SELF) return in_reach(BVH_ARGS, &reach) ? 0u : rays;
+  if (!ONLY_SELF) return in_reach(nodes, leaves, &reach) ? 0u : rays;
   const uint set = points->set[j];
   for (uint rest = asked; rest; rest &= rest - 1)
     if (points->set[LOWEST_BIT(rest)] != set) return 0;
-  return in_reach(BVH_ARGS_AT(first_of_group[2 * set], first_of_group[2 * set + 1]), &reach) ? 0u : rays;
+  return in_reach(nodes + first_of_group[2 * set], leaves + first_of_group[2 * set + 1], &reach) ? 0u : rays;
 }
 
 #endif

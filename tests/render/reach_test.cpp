@@ -130,7 +130,7 @@ TEST(Reach, AFloorTracesNothing) {
 // Its boxes reach above it, so that more of them are looked at than a render grants; and its corners are
 // rounded, so that a square may rise above its neighbour by more than a point is off it.
 TEST(Reach, ATiltedFloorTracesAlmostNothing) {
-  const Asked floor(floor_of(12, 0.3f, vec3(3, 1, 2)));
+  const Asked floor(floor_of(12, -0.3f, vec3(3, 1, 2)));
   const auto patient = [&](const std::string& file) {
     const std::string text = kernel_source(file);
     return file == "occlusion.cl" ? mutate(text, "#define REACH_VISITS 12u", "#define REACH_VISITS 400u")
