@@ -134,7 +134,7 @@ __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* task
           rest &= ~together;
           // What was in reach of the first directions is in reach.
           const uint out = together & ~free ? 0u
-                                            : unreached_rays(nodes, leaves, first_of_group, &asked, together, count, &origins,
+                                            : unreached_rays(nodes, leaves AND_INSTANCE_ARGS, first_of_group, &asked, together, count, &origins,
                                                              &directions, active, &p);
           if (!out) free &= ~together;
           result[of_item].rays -= popcount(out);

@@ -96,7 +96,7 @@ INLINE Reach reach_of(const RayDirections* origins, const RayDirections* d, uint
   const REACH_INT out = (apart > limit * limit) | (high < height - r->of_vertices * a - (of_place));
 
 // The children of a node that may be in reach; `inside`: one of them surely is, for a whole side of its box is, which a triangle touches.
-INLINE uint children_in_reach(__global const BvhNode* node, const Reach* r, bool* inside) {
+INLINE uint children_in_reach(TREE_SPACE const BvhNode* node, const Reach* r, bool* inside) {
 #define REACH_FLOAT float16
 #define REACH_INT int16
   float16 apart = 0.0f, gap = 0.0f, size = 0.0f, extent = 0.0f;
@@ -127,7 +127,7 @@ INLINE uint children_in_reach(__global const BvhNode* node, const Reach* r, bool
 }
 
 // Whether a triangle of the leaf may be in reach.
-INLINE bool leaf_in_reach(__global const TriangleLeaf* leaf, const Reach* r) {
+INLINE bool leaf_in_reach(TREE_LEAF* leaf, const Reach* r) {
 #define REACH_FLOAT leaf_float
 #define REACH_INT leaf_int
   leaf_float apart = 0.0f, gap = 0.0f, size = 0.0f, extent = 0.0f;
@@ -156,6 +156,36 @@ INLINE bool leaf_in_reach(__global const TriangleLeaf* leaf, const Reach* r) {
 }
 
 // Whether anything may be in reach; false only if nothing is.
+#if INSTANCES
+
+bool in_reach(__global const BvhNode* nodes, __global const TriangleLeaf* leaves, __global const PlacedMesh* instances, const Reach* r) {
+  uint stack[BVH_STACK_SIZE + BVH_WIDTH], stack_instance[BVH_STACK_SIZE + BVH_WIDTH];
+  uint size = 1;
+  stack[0] = 0;
+  stack_instance[0] = NO_INSTANCE;
+  for (uint visits = 0; size > 0; ++visits) {
+    if (visits == REACH_VISITS) return true;
+    const uint item = stack[--size], instance = stack_instance[size];
+    if ((item & BVH_LEAF) && instance != NO_INSTANCE) {
+      PlacedLeaf leaf;
+      open_leaf(&leaf, &leaves[item & ~BVH_LEAF], &instances[instance]);
+      if (leaf_in_reach(&leaf, r)) return true;
+      continue;
+    }
+    OpenedNode opened;
+    open_node(&opened, nodes, leaves, instances, item, instance);
+    bool inside;
+    const uint lanes = children_in_reach(&opened.node, r, &inside);
+    if (inside) return true;
+    APPEND_LANES(stack + size, vload16(0, opened.node.child), lanes);
+    APPEND_LANES(stack_instance + size, vload16(0, opened.instance), lanes);
+    size += popcount(lanes);
+  }
+  return false;
+}
+
+#else
+
 bool in_reach(__global const BvhNode* nodes, __global const TriangleLeaf* leaves, const Reach* r) {
   uint stack[BVH_STACK_SIZE + BVH_WIDTH];
   uint size = 1;
@@ -177,6 +207,8 @@ bool in_reach(__global const BvhNode* nodes, __global const TriangleLeaf* leaves
   return false;
 }
 
+#endif
+
 // From so many rays on a point is asked about by itself; below, the points of a task together.
 #define ASKED_ALONE 16u
 
@@ -187,7 +219,8 @@ typedef struct {
 } AskedPoints;
 
 // Of the samples `asked` with `count` rays each in the stream, all of one task: those of the `active` rays that need not be traced.
-INLINE uint unreached_rays(__global const BvhNode* nodes, __global const TriangleLeaf* leaves, __global const uint* first_of_group,
+INLINE uint unreached_rays(__global const BvhNode* nodes, __global const TriangleLeaf* leaves AND_INSTANCE_PARAMS,
+                           __global const uint* first_of_group,
                            const AskedPoints* points, uint asked, uint count, const RayDirections* origins, const RayDirections* d,
                            uint active, const EstimatorParams* p) {
   const uint j = LOWEST_BIT(asked), last = 31u - clz(asked);
@@ -196,11 +229,11 @@ INLINE uint unreached_rays(__global const BvhNode* nodes, __global const Triangl
   if (!rays) return 0;
   const Reach reach = reach_of(origins, d, rays, j == last, (float3)(points->nx[j], points->ny[j], points->nz[j]),
                                MIN_DISTANCE ? p->min_distance : 0.0f, p->max_distance);
-  if (!ONLY_SELF) return in_reach(nodes, leaves, &reach) ? 0u : rays;
+  if (!ONLY_SELF) return in_reach(nodes, leaves AND_INSTANCE_ARGS, &reach) ? 0u : rays;
   const uint set = points->set[j];
   for (uint rest = asked; rest; rest &= rest - 1)
     if (points->set[LOWEST_BIT(rest)] != set) return 0;
-  return in_reach(nodes + first_of_group[2 * set], leaves + first_of_group[2 * set + 1], &reach) ? 0u : rays;
+  return in_reach(nodes + first_of_group[2 * set], leaves + first_of_group[2 * set + 1] AND_INSTANCE_ARGS, &reach) ? 0u : rays;
 }
 
 #endif

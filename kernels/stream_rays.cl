@@ -56,4 +56,15 @@ void prepare_stream(StreamRays* r, const RayDirections* origins, const RayDirect
   for (uint first = 0; first < 32 && active >> first; first += 16) prepare_rays(r, origins, d, first, max_distance);
 }
 
+INLINE float least_lane(float16 v) {
+  const float8 a = v.lo < v.hi ? v.lo : v.hi;
+  const float4 b = a.lo < a.hi ? a.lo : a.hi;
+  const float2 c = b.lo < b.hi ? b.lo : b.hi;
+  return min_or_second(c.x, c.y);
+}
+
+INLINE float most_lane(float16 v) { return -least_lane(-v); }
+
+INLINE int16 lanes_of(uint rays) { return ((int16)(int)rays & LANE_BITS) != 0; }
+
 #endif

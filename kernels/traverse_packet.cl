@@ -23,17 +23,6 @@ typedef struct {
   float row_ox, row_oy, row_oz;
 } Packet;
 
-INLINE float least_lane(float16 v) {
-  const float8 a = v.lo < v.hi ? v.lo : v.hi;
-  const float4 b = a.lo < a.hi ? a.lo : a.hi;
-  const float2 c = b.lo < b.hi ? b.lo : b.hi;
-  return min_or_second(c.x, c.y);
-}
-
-INLINE float most_lane(float16 v) { return -least_lane(-v); }
-
-INLINE int16 lanes_of(uint rays) { return ((int16)(int)rays & LANE_BITS) != 0; }
-
 // The interval of one component of 1/d over the rays of `active`; whether it is finite and of one sign.
 INLINE bool interval_of(const float* inverse, uint active, float* least, float* most) {
   float16 low = INFINITY, high = -INFINITY;
