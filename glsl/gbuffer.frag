@@ -1,6 +1,6 @@
-// Writes one depth layer: a FRONT layer, or the back layer behind it. Inverse depth is affine over the screen for a plane,
-// so (w, dw/dx, dw/dy) is the tangent plane of the surface in the pixel: at an offset of d pixels its inverse depth is
-// w + dot(d, gradient).
+// Writes one depth layer: the FRONT layer, the back layer behind it, or, when PEELed, the next face behind those peeled before,
+// be it a front or a back face. Inverse depth is affine over the screen for a plane, so (w, dw/dx, dw/dy) is the tangent plane
+// of the surface in the pixel: at an offset of d pixels its inverse depth is w + dot(d, gradient).
 #if NORMAL
 NORMAL_KIND in vec3 view_normal;
 #endif
@@ -8,7 +8,9 @@ NORMAL_KIND in vec3 view_normal;
 in vec3 view_position;
 #endif
 
-layout(location = 0) out vec4 surface;  // rgb: inverse depth of the front layer and its gradient; a: of the back layer
+// rgb: inverse depth of the front layer and its gradient; a: inverse depth of the back layer, or, where faces are peeled, 1 for a
+// front face and -1 for a back face. PEEL: inverse depth, negative for a back face, in each channel.
+layout(location = 0) out vec4 surface;
 #if NORMAL
 layout(location = 1) out vec2 normal;  // view space, octahedral; as the path tracer's shading normal: never flipped
 #endif
@@ -18,7 +20,7 @@ layout(location = 3) out vec4 exact_normal;  // view space, unit; w = 1 marks co
 #endif
 
 #if PEEL
-uniform sampler2D nearer;  // the surface texture of the first two layers
+uniform sampler2D peeled;  // reversed depth of the face peeled last
 #endif
 
 #if NORMAL
@@ -44,14 +46,11 @@ vec2 octahedral(vec3 n) {
 void main() {
   float w = gl_FragCoord.w;
 #if PEEL
-  // Only what lies behind the first two layers; the margin keeps a surface from being found twice.
-  vec4 before = texelFetch(nearer, ivec2(gl_FragCoord.xy), 0);
-  float last = before.a > 0.0 ? before.a : before.r;
-  if (!(w < last * (1.0 - 1e-5))) discard;
-#endif
-#if FRONT
+  if (!(gl_FragCoord.z < texelFetch(peeled, ivec2(gl_FragCoord.xy), 0).x)) discard;
+  surface = vec4(gl_FrontFacing ? w : -w);
+#elif FRONT
   vec2 gradient = vec2(dFdx(w), dFdy(w));
-  surface = vec4(w, gradient, 0.0);
+  surface = vec4(w, gradient, gl_FrontFacing ? 1.0 : -1.0);
 #else
   surface = vec4(0.0, 0.0, 0.0, w);
 #endif

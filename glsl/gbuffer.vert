@@ -8,6 +8,8 @@ uniform vec2 ray_scale, ray_offset;     // see host/ssao/view.hpp
 uniform vec2 buffer_size;               // pixels
 uniform float near;                     // world units
 
+invariant gl_Position;  // faces are peeled by comparing the depths of several programs
+
 #if NORMAL
 NORMAL_KIND out vec3 view_normal;  // smooth: not normalised
 #endif

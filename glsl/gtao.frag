@@ -11,7 +11,7 @@ layout(location = 0) out vec4 result;  // AO, inverse depth
 
 uniform float radius;  // world units
 #if LAYERS > 2
-uniform sampler2D surface2;  // the third and fourth layer
+uniform sampler2D surface2;  // where the second and third solid begin and end
 #endif
 
 // |error| < 7e-5 (Abramowitz and Stegun 4.4.45).
@@ -104,19 +104,20 @@ void main() {
         if (!(front > 0.0)) continue;
         vec3 ray = vec3(q * ray_scale + ray_offset, -1.0);
         float ray_length = length(ray);
-        vec3 f = ray / front - x, e = ray / ray_length;
-        float thickness = s.w > 0.0 && s.w < s.x * 0.9999 ? (1.0 / s.w - 1.0 / front) * ray_length : 1e30;
-        vec2 f2 = vec2(sign * dot(f, d), dot(f, v)), e2 = vec2(sign * dot(e, d), dot(e, v));
-        mask |= hidden(side, f2, e2, thickness, 0.5);
+        vec3 e = ray / ray_length;
+        vec2 e2 = vec2(sign * dot(e, d), dot(e, v));
 #if LAYERS > 2
         vec4 s2 = texelFetch(surface2, at, 0);
-        if (s2.x > 0.0) {
-          float front2 = s2.x + dot(s2.yz, q - vec2(at) - 0.5);
-          float thickness2 = s2.w > 0.0 && s2.w < s2.x * 0.9999 ? (1.0 / s2.w - 1.0 / front2) * ray_length : 1e30;
-          f = ray / front2 - x;
-          mask |= hidden(side, vec2(sign * dot(f, d), dot(f, v)), e2, thickness2, 0.5);
-        }
+        vec2 solids[3] = vec2[3](vec2(front, s.w), s2.xy, s2.zw);
+#else
+        vec2 solids[1] = vec2[1](vec2(front, s.w < s.x * 0.9999 ? s.w : 0.0));
 #endif
+        for (int k = 0; k < solids.length(); ++k) {
+          if (!(solids[k].x > 0.0)) continue;
+          vec3 f = ray / solids[k].x - x;
+          float thickness = solids[k].y > 0.0 ? (1.0 / solids[k].y - 1.0 / solids[k].x) * ray_length : 1e30;
+          mask |= hidden(side, vec2(sign * dot(f, d), dot(f, v)), e2, thickness, 0.5);
+        }
       }
       hidden_weight += n_length * weight * (float(bitCount(mask)) / 32.0);
       shift = fract(shift + 0.6180339887);

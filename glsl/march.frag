@@ -9,13 +9,19 @@ layout(location = 0) out vec4 result;  // AO, inverse depth
 
 uniform float radius;  // world units
 #if LAYERS > 2
-uniform sampler2D surface2;  // the third and fourth layer
+uniform sampler2D surface2;  // where the second and third solid begin and end
 #endif
 
-bool in_solid(vec4 s, float w, vec2 offset) {
+bool in_solid(ivec2 at, float w, vec2 offset) {
+  vec4 s = texelFetch(surface, at, 0);
   float front = s.x + dot(s.yz, offset);
+#if LAYERS > 2
+  vec4 s2 = texelFetch(surface2, at, 0);
+  return (w < front * (1.0 - TOLERANCE) && w > s.w) || (w < s2.x && w > s2.y) || (w < s2.z && w > s2.w);
+#else
   float back = s.w < s.x * 0.9999 ? s.w : 0.0;
   return w < front * (1.0 - TOLERANCE) && w > back;
+#endif
 }
 
 void main() {
@@ -50,10 +56,7 @@ void main() {
       vec2 q = h.xy * w;
       ivec2 at = ivec2(floor(q));
       vec2 offset = q - vec2(at) - 0.5;
-      bool solid = in_solid(texelFetch(surface, at, 0), w, offset);
-#if LAYERS > 2
-      solid = solid || in_solid(texelFetch(surface2, at, 0), w, offset);
-#endif
+      bool solid = in_solid(at, w, offset);
       hidden = hidden || (solid && h.z > 0.0 && inside(at));
     }
     open += hidden ? 0.0 : 1.0;

@@ -116,21 +116,33 @@ void GlMesh::draw() const {
   gl.glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
 }
 
+GBuffer::Faces::Faces(const GlContext& context, int width, int height, const GlTexture& other_depth)
+    : first(context, GL_RGBA32F, width, height),
+      next{{context, GL_RGBA32F, width, height}, {context, GL_RGBA32F, width, height}},
+      depth(context, GL_DEPTH_COMPONENT32F, width, height) {
+  for (int texture = 0; texture < 2; ++texture)
+    for (int turn = 0; turn < 2; ++turn)
+      target[texture][turn].reset(
+          new GlFramebuffer(context, {&next[texture]}, turn == 0 ? &depth : &other_depth));
+}
+
 GBuffer::GBuffer(const GlContext& context, int width, int height, bool exact, int layers)
     : surface(context, GL_RGBA32F, width, height),
       normals(context, GL_RG16, width, height),
       depth(context, GL_DEPTH_COMPONENT32F, width, height) {
+  if (layers == 2) back.reset(new GlFramebuffer(context, {&surface}, &depth));
+  if (layers > 2) {
+    faces.emplace(context, width, height, depth);
+    surface2.emplace(context, GL_RGBA32F, width, height);
+    solids.reset(new GlFramebuffer(context, {&surface, &*surface2}, nullptr));
+  }
+  const GlTexture& visible = faces ? faces->first : surface;
   if (exact) {
     position.emplace(context, GL_RGBA32F, width, height);
     exact_normals.emplace(context, GL_RGBA32F, width, height);
-    front.reset(new GlFramebuffer(context, {&surface, &normals, &*position, &*exact_normals}, &depth));
+    front.reset(new GlFramebuffer(context, {&visible, &normals, &*position, &*exact_normals}, &depth));
   } else {
-    front.reset(new GlFramebuffer(context, {&surface, &normals}, &depth));
-  }
-  if (layers > 1) back.reset(new GlFramebuffer(context, {&surface}, &depth));
-  if (layers > 2) {
-    surface2.emplace(context, GL_RGBA32F, width, height);
-    second.reset(new GlFramebuffer(context, {&*surface2}, &depth));
+    front.reset(new GlFramebuffer(context, {&visible, &normals}, &depth));
   }
 }
 
@@ -141,54 +153,49 @@ GeometryPass::GeometryPass(const GlContext& context, const TriangleMesh& mesh)
 
 const GlProgram& GeometryPass::program(Pass pass, bool exact) {
   const bool front = pass == Pass::front;
-  std::unique_ptr<GlProgram>& program = programs_[front && exact ? 4 : int(pass)];
-  if (!program) {
-    const bool peel = pass == Pass::second_front || pass == Pass::second_back;
-    program = std::make_unique<GlProgram>(
-        context_, "glsl/gbuffer.vert", "glsl/gbuffer.frag", "",
-        GlProgram::Defines{{"PEEL", peel ? "1" : "0"},
-                           {"FRONT", front || pass == Pass::second_front ? "1" : "0"},
-                           {"NORMAL", front ? "1" : "0"},
-                           {"EXACT", front && exact ? "1" : "0"},
-                           {"NORMAL_KIND", mesh_.smooth() ? "smooth" : "flat"}});
-  }
+  std::unique_ptr<GlProgram>& program = programs_[front && exact ? 3 : int(pass)];
+  if (!program)
+    program =
+        std::make_unique<GlProgram>(context_, "glsl/gbuffer.vert", "glsl/gbuffer.frag", "",
+                                    GlProgram::Defines{{"PEEL", pass == Pass::next_face ? "1" : "0"},
+                                                       {"FRONT", front ? "1" : "0"},
+                                                       {"NORMAL", front ? "1" : "0"},
+                                                       {"EXACT", front && exact ? "1" : "0"},
+                                                       {"NORMAL_KIND", mesh_.smooth() ? "smooth" : "flat"}});
   return *program;
 }
 
 void GeometryPass::draw(const SsaoView& view, const GBuffer& buffer, int layers) {
-  draw(Pass::front, view, buffer);
-  if (layers >= 2) draw(Pass::back, view, buffer);
-  if (layers > 2) {
-    draw(Pass::second_front, view, buffer);
-    draw(Pass::second_back, view, buffer);
-  }
+  draw(Pass::front, view, buffer, 0);
+  if (layers == 2) draw(Pass::back, view, buffer, 0);
+  if (layers > 2)
+    for (int face = 1; face < layers; ++face) draw(Pass::next_face, view, buffer, face);
 }
 
-void GeometryPass::draw(Pass pass, const SsaoView& view, const GBuffer& buffer) {
+void GeometryPass::draw(Pass pass, const SsaoView& view, const GBuffer& buffer, int face) {
   const GlFunctions& gl = context_.functions();
-  const bool back = pass == Pass::back || pass == Pass::second_back;
-  const bool second = pass == Pass::second_front || pass == Pass::second_back;
   // A framebuffer holds what the pass writes and no more: outputs that a shader lacks are undefined.
-  (second ? buffer.second : back ? buffer.back : buffer.front)->bind();
+  const int channel = (face - 1) % 4, turn = (face - 1) % 2;
+  const GlFramebuffer& target = pass == Pass::next_face ? *buffer.faces->target[(face - 1) / 4][turn]
+                                : pass == Pass::back    ? *buffer.back
+                                                        : *buffer.front;
+  target.bind();
   gl.glEnable(GL_DEPTH_TEST);
   gl.glDepthFunc(GL_GREATER);
   // The back layer is drawn into the alpha channel of the front layer's texture, with a depth buffer of its
   // own.
-  if (back) {
+  if (pass == Pass::back) {
     gl.glEnable(GL_CULL_FACE);
     gl.glCullFace(GL_FRONT);
     gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
   }
-  if (pass == Pass::second_front) {
-    gl.glEnable(GL_CULL_FACE);
-    gl.glCullFace(GL_BACK);
-  }
+  if (pass == Pass::next_face) gl.glColorMask(channel == 0, channel == 1, channel == 2, channel == 3);
   const float zero[4] = {0, 0, 0, 0};
   // Positions are cleared to a far depth, so that the background is behind everything.
   const float far_position[4] = {0, 0, -1e9f, 0};
   gl.glClearBufferfv(GL_DEPTH, 0, zero);
   // Packed normals are not cleared: nobody reads them in the background.
-  if (!back) gl.glClearBufferfv(GL_COLOR, 0, zero);
+  if (pass != Pass::back) gl.glClearBufferfv(GL_COLOR, 0, zero);
   if (pass == Pass::front && buffer.position) {
     gl.glClearBufferfv(GL_COLOR, 2, far_position);
     gl.glClearBufferfv(GL_COLOR, 3, zero);
@@ -203,7 +210,7 @@ void GeometryPass::draw(Pass pass, const SsaoView& view, const GBuffer& buffer) 
   program.set("ray_offset", view.ray_offset.x, view.ray_offset.y);
   program.set("buffer_size", float(view.buffer_width()), float(view.buffer_height()));
   program.set("near", 1e-6f * (scale_ + glm::length(view.eye - center_)));
-  if (second) program.bind("nearer", 0, buffer.surface);
+  if (pass == Pass::next_face) program.bind("peeled", 0, turn == 0 ? buffer.depth : buffer.faces->depth);
   mesh_.draw();
   gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   gl.glDisable(GL_CULL_FACE);

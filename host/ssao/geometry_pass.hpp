@@ -30,22 +30,36 @@ class GlMesh {
   std::size_t bytes_ = 0;
 };
 
-/// The G-buffer: what the camera sees, pixel by pixel, in up to four depth layers.
+/// The G-buffer: what the camera sees, pixel by pixel, and the solids behind it.
 ///
 /// surface: inverse depth of the nearest surface, its change per pixel to the right and downwards, and the
-/// inverse depth of the nearest back face; surface2: the same of what lies behind that. 0 where there is
-/// nothing.
+/// inverse depth of the nearest back face. 0 where there is nothing.
+///
+/// With more than two layers the faces along each pixel's view ray are peeled off one by one, front and back
+/// faces alike, and glsl/solids.frag makes solids of them: surface.a is then where the first one ends,
+/// surface2 where the second and third begin and end.
 ///
 /// normals: two 16-bit numbers (glsl/gbuffer.frag), within 4e-5 of the unit vector: a quarter of the memory
 /// traffic. Positions and normals in full precision are there for the point method and for those who ask.
 struct GBuffer {
+  /// layers: 1, 2, or the faces that are peeled, up to most_layers.
   GBuffer(const GlContext& context, int width, int height, bool exact, int layers);
+  static constexpr int most_layers = 9;
+
+  /// The visible face, and inverse depths of the following ones, four to a texture, negative for back faces.
+  struct Faces {
+    Faces(const GlContext& context, int width, int height, const GlTexture& depth);
+    GlTexture first, next[2];
+    GlTexture depth;                              ///< in turns with GBuffer::depth
+    std::unique_ptr<GlFramebuffer> target[2][2];  ///< [texture of `next`][0: depth here, 1: GBuffer::depth]
+  };
 
   GlTexture surface, normals, depth;
   std::optional<GlTexture> position, exact_normals, surface2;
-  std::unique_ptr<GlFramebuffer> front;   ///< surface, normals, [position, exact normals]
+  std::optional<Faces> faces;
+  std::unique_ptr<GlFramebuffer> front;   ///< surface or faces->first, normals, [position, exact normals]
   std::unique_ptr<GlFramebuffer> back;    ///< surface
-  std::unique_ptr<GlFramebuffer> second;  ///< surface2
+  std::unique_ptr<GlFramebuffer> solids;  ///< surface, surface2
 };
 
 /// Draws the mesh into a G-buffer.
@@ -53,19 +67,20 @@ class GeometryPass {
  public:
   GeometryPass(const GlContext& context, const TriangleMesh& mesh);
   const GlMesh& mesh() const { return mesh_; }
-  /// layers: 1, 2 or 4. `buffer` must have been made with at least as many.
+  /// layers: as `buffer` was made with.
   void draw(const SsaoView& view, const GBuffer& buffer, int layers);
 
  private:
-  enum class Pass { front, back, second_front, second_back };
-  void draw(Pass pass, const SsaoView& view, const GBuffer& buffer);
+  enum class Pass { front, back, next_face };
+  /// face: of next_face, from 1 on.
+  void draw(Pass pass, const SsaoView& view, const GBuffer& buffer, int face);
   const GlProgram& program(Pass pass, bool exact);
 
   const GlContext& context_;
   GlMesh mesh_;
   float scale_;  ///< |eye| and the mesh's size bound the depths that matter
   vec3 center_;
-  std::unique_ptr<GlProgram> programs_[5];
+  std::unique_ptr<GlProgram> programs_[4];
 };
 
 }  // namespace nook

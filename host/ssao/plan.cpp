@@ -14,13 +14,15 @@ using Quality = SsaoSettings::Quality;
 
 // What each quality spends, chosen by measurement (docs/ssao.md): draft and real-time shade every fourth
 // pixel, since directions shared by the denoiser and the upsample bring more than pixels do; accurate has all
-// pixels, four layers and a wide guard band.
+// pixels, nine faces behind each and a wide guard band.
 void spend(SsaoPlan& plan, Quality quality) {
   const bool accurate = quality == Quality::accurate, draft = quality == Quality::draft;
   plan.half_resolution = !accurate;
   plan.denoise_radius = 2;
+  plan.depth_tolerance = accurate ? 0.003f : 0.01f;
+  plan.normal_tolerance = accurate ? 0.1f : draft ? 0.0f : 0.2f;
   plan.guard = accurate ? 0.5f : draft ? 0.0f : 0.1f;
-  plan.layers = accurate ? 4 : 2;
+  plan.layers = accurate ? 9 : 2;
   switch (plan.method) {
     case Method::point:
       plan.cosine = plan.range_check = true;
@@ -36,6 +38,8 @@ void spend(SsaoPlan& plan, Quality quality) {
       plan.steps = accurate ? 16 : draft ? 4 : 8;
       break;
   }
+  // The longest of march's steps at accurate quality (glsl/march.frag): what is as thick is not stepped over.
+  plan.thickness = 1.5f / 15;
 }
 
 }  // namespace

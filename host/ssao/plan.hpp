@@ -16,11 +16,15 @@ struct SsaoPlan {
       false;            ///< point: independent directions, and the sum clamped to 1 (compat = "tinyrender")
   int directions = 32;  ///< point, march: directions a pixel; gtao: slices, two directions each
   int steps = 1;        ///< march (at least 2), gtao: steps along a direction
-  int layers = 1;       ///< depth layers: 1 front, 2 with the back face, 4 with the next solid
+  int layers =
+      1;  ///< 1: the front, 2: with the nearest back face, more: so many faces along each pixel's view ray
+  float thickness = 0;  ///< more than two layers: of sheets, and of solids at least; a share of the radius
   bool half_resolution = false;   ///< shade every other pixel of every other row, then upsample
   int denoise_radius = 0;         ///< pixels of the shaded image; 0: no denoiser
   float depth_tolerance = 0.01f;  ///< denoiser, upsample: how far off the tangent plane a neighbour may be,
                                   ///< as a share of its depth
+  float normal_tolerance = 0;     ///< denoiser: 1 - cos of the angle at which a neighbour's normal no longer
+                                  ///< counts; 0: any normal does
   float guard = 0;                ///< guard band on each side, at most this share of the image's height
 
   bool operator==(const SsaoPlan&) const = default;

@@ -109,6 +109,16 @@ void ShadingPass::draw_quad(const GlFramebuffer& target) {
 const GlFramebuffer& ShadingPass::draw(const SsaoPlan& plan, const SsaoView& view, const GBuffer& buffer,
                                        ShadingTargets& targets,
                                        const std::function<void(const char* pass)>& done) {
+  if (buffer.faces) {
+    const GlProgram& program =
+        use("glsl/solids.frag", {{"FACES", std::to_string(plan.layers)}}, view, buffer);
+    program.bind("first", 1, buffer.faces->first);
+    program.bind("next4", 2, buffer.faces->next[0]);
+    program.bind("next8", 3, buffer.faces->next[1]);
+    program.set("thickness", plan.thickness * plan.radius);
+    draw_quad(*buffer.solids);
+    done("solids");
+  }
   {
     const GlProgram& program = use(estimator_file(plan.method), estimator_defines(plan), view, buffer);
     program.bind("normals", 1, buffer.normals);
@@ -129,8 +139,11 @@ const GlFramebuffer& ShadingPass::draw(const SsaoPlan& plan, const SsaoView& vie
                                    {{"STRIDE", stride},
                                     {"DENOISE_RADIUS", std::to_string(plan.denoise_radius)},
                                     {"HALF_ENDS", "1"},
-                                    {"DEPTH_TOLERANCE", number(plan.depth_tolerance)}},
+                                    {"DEPTH_TOLERANCE", number(plan.depth_tolerance)},
+                                    {"BY_NORMAL", plan.normal_tolerance > 0 ? "1" : "0"},
+                                    {"NORMAL_TOLERANCE", number(plan.normal_tolerance)}},
                                    view, buffer);
+    program.bind("normals", 2, buffer.normals);
     program.set("image_size", targets.shaded.width(), targets.shaded.height());
     program.set("direction", 1, 0);
     program.bind("occlusion", 1, targets.shaded);

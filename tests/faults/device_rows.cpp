@@ -2,6 +2,18 @@
 
 namespace nook::test {
 
+namespace {
+
+// Drawn with OpenGL, which `environment` spoils.
+BadInput screen_space(const char* name, const std::string& says,
+                      const std::vector<std::pair<std::string, std::string>>& environment) {
+  BadInput row{name, render, 4, says, scene("type = \"ao\"", "realtime = true\ntype = \"ssao\"")};
+  row.environment = environment;
+  return row;
+}
+
+}  // namespace
+
 std::vector<BadInput> device_rows() {
   return {
       {"no OpenCL platform",
@@ -46,6 +58,12 @@ std::vector<BadInput> device_rows() {
        {},
        {},
        {{"NOOK_OPENCL", NOOK_FAILING_OPENCL}, {"NOOK_FAIL_LAUNCH", "2"}}},
+      screen_space("no OSMesa", "libnook-no-such-library.so",
+                   {{"NOOK_OSMESA", "libnook-no-such-library.so"}}),
+      screen_space("OpenGL context lost at once", "the OpenGL context was lost while uploading the mesh",
+                   {{"NOOK_OSMESA", NOOK_FAILING_OSMESA}, {"NOOK_LOSE_CONTEXT", "0"}}),
+      screen_space("OpenGL context lost in a frame", "the OpenGL context was lost while reading pixels",
+                   {{"NOOK_OSMESA", NOOK_FAILING_OSMESA}, {"NOOK_LOSE_CONTEXT", "8"}}),
   };
 }
 
