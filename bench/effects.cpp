@@ -8,8 +8,10 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "interval.hpp"
 #include "record.hpp"
 #include "render/denoise_picture.hpp"
+#include "render/layers.hpp"
 #include "render/path_tracer.hpp"
 #include "render/picture.hpp"
 #include "render/scene_mesh.hpp"
@@ -21,7 +23,8 @@ namespace nook::bench {
 namespace {
 
 struct Settings {
-  int width = 320, height = 240, spp = 16, rounds = 9;
+  int width = 320, height = 240, spp = 16, rounds = 15;
+  bool check = false;
   std::vector<std::string> cases;
   std::string output;
 };
@@ -31,6 +34,7 @@ struct Case {
   std::string scene;  // of scenes/, without .toml
   std::function<void(Scene&)> change;
   enum class What { picture, denoised, texture } what = What::picture;
+  bool control = false;  // both sides are the same programs: what the ratio must be is known
 };
 
 std::vector<Case> all_cases() {
@@ -38,7 +42,7 @@ std::vector<Case> all_cases() {
   const auto falloff = [&](Falloff kind) { return first([kind](Effect& e) { e.falloff = kind; }); };
   const std::string box = "cbox_ao_cosine", plants = "effects/cutouts";
   return {
-      {"plain AO again", box, [](Scene&) {}},
+      {"plain AO again", box, [](Scene&) {}, Case::What::picture, true},
       {"every setting named, at its default", box,
        [](Scene& scene) {
          scene.cutouts = true;  // no material has a map
@@ -49,7 +53,9 @@ std::vector<Case> all_cases() {
          e.cone_angle = 90;
          e.side = Side::normal;
          e.only_self = false;
-       }},
+         scene.instancing = Instancing::automatic;
+       },
+       Case::What::picture, true},
       {"falloff linear", box, falloff(Falloff::linear)},
       {"falloff smooth", box, falloff(Falloff::smooth)},
       {"falloff exponential", box, falloff(Falloff::exponential)},
@@ -71,6 +77,16 @@ std::vector<Case> all_cases() {
       {"ro, exponent of the material", box, first([](Effect& e) {
          e.kind = EffectKind::ro, e.sampling = Sampling::lobe, e.exponent_of_material = true;
        })},
+      {"normal, position and depth beside it", box,
+       [](Scene& scene) {
+         for (const EffectKind kind : {EffectKind::normal, EffectKind::position, EffectKind::depth}) {
+           Effect surface;
+           surface.kind = kind;
+           scene.effects.push_back(surface);
+         }
+       }},
+      {"instances as trees, against copies", "effects/instances",
+       [](Scene& scene) { scene.instancing = Instancing::tree; }},
       {"ground", box, [](Scene& scene) { scene.ground.emplace(); }},
       {"cut-outs", plants, [](Scene& scene) { scene.cutouts = true; }},
       {"denoise", box, [](Scene& scene) { scene.denoise = true; }, Case::What::denoised},
@@ -83,7 +99,7 @@ class Run {
  public:
   Run(const Device& device, Scene scene, Case::What what)
       : what_(what),
-        mesh_(load_scene_mesh(scene, attributes_of(scene, what))),
+        mesh_(load_scene_mesh(scene, attributes_of(scene, what), scene.instancing)),
         plan_(make_plan(scene, mesh_)),
         bvh_(build_bvh(mesh_)),
         tracer_(device, plan_, mesh_, bvh_),
@@ -119,10 +135,12 @@ class Run {
     part.layers = layer_names(plan_);
     tracer_.accumulate(pixels_, {0, plan_.spp}, part.films);
     Image image = make_picture(part);
-    if (what_ != Case::What::denoised) return;
+    if (!plan_.surface) return;
     std::vector<std::uint32_t> row_major(pixels_);
     std::sort(row_major.begin(), row_major.end());
-    denoise_picture(plan_, part.films, tracer_.surface_points(row_major), image);
+    const std::vector<SurfacePoint> surface = tracer_.surface_points(row_major);
+    add_surface_layers(plan_, surface, image.channels);
+    if (what_ == Case::What::denoised) denoise_picture(plan_, part.films, surface, image);
   }
 
   Case::What what_;
@@ -155,17 +173,23 @@ void measure(const Settings& settings, const Device& device, const Case& one) {
   changed.once();
   std::vector<double> ratios;
   Run::Cost a, b;
-  for (int round = 0; round < settings.rounds; ++round) {
-    // Who goes first changes, so that neither always runs on the other's warm caches.
-    if (round % 2) a = plain.once();
-    b = changed.once();
-    if (round % 2 == 0) a = plain.once();
-    double ratio = b.seconds / a.seconds;
+  // What must be 1.00 to 0.02 takes more rounds.
+  const int rounds = one.control ? 4 * settings.rounds : settings.rounds;
+  for (int round = 0; round < rounds; ++round) {
+    // Plain, changed, changed, plain, or the other way round: a machine that slows down slows both alike.
+    Run& outer = round % 2 ? changed : plain;
+    Run& inner = round % 2 ? plain : changed;
+    Run::Cost first = outer.once(), second = inner.once(), third = inner.once(), fourth = outer.once();
+    a = round % 2 ? second : first;
+    b = round % 2 ? first : second;
+    const double out = first.seconds + fourth.seconds, in = second.seconds + third.seconds;
+    double ratio = round % 2 ? out / in : in / out;
     if (one.what == Case::What::texture) ratio *= double(a.rays) / double(b.rays);
     ratios.push_back(ratio);
   }
   const auto [least, greatest] = std::minmax_element(ratios.begin(), ratios.end());
-  std::printf("| %s | %.2f [%.2f, %.2f] | %.2f |\n", one.name.c_str(), median(ratios), *least, *greatest,
+  const auto [low, high] = interval_of_median(ratios);
+  std::printf("| %s | %.3f [%.3f, %.3f] | %.2f |\n", one.name.c_str(), median(ratios), low, high,
               double(b.rays) / double(a.rays));
   std::fflush(stdout);
   append_record(settings.output, {{"bench", "effects"},
@@ -174,13 +198,17 @@ void measure(const Settings& settings, const Device& device, const Case& one) {
                                   {"width", settings.width},
                                   {"height", settings.height},
                                   {"spp", settings.spp},
-                                  {"rounds", settings.rounds},
+                                  {"rounds", rounds},
                                   {"cpu_time", Stopwatch::cpu_time},
                                   {"ratio", median(ratios)},
+                                  {"interval", {low, high}},
                                   {"least", *least},
                                   {"greatest", *greatest},
                                   {"rays", b.rays},
                                   {"rays_of_plain", a.rays}});
+  if (settings.check && one.control && !(low >= 0.98 && high <= 1.02))
+    throw Error(ExitCode::internal,
+                one.name + ": what is switched off takes time, or the machine is too busy to tell");
 }
 
 void run(const Settings& settings) {
@@ -207,8 +235,13 @@ void add_effects(CLI::App& app) {
   command->add_option("--width", settings->width, "Pixels");
   command->add_option("--height", settings->height, "Pixels");
   command->add_option("--spp", settings->spp, "Camera rays a pixel, one direction each");
-  command->add_option("--rounds", settings->rounds, "Runs of each side")->check(CLI::Range(1, 1000));
+  command
+      ->add_option("--rounds", settings->rounds,
+                   "Rounds of two runs of each side; four times as many for the controls")
+      ->check(CLI::Range(1, 1000));
   command->add_option("--cases", settings->cases, "Parts of cases' names; default: all")->delimiter(',');
+  command->add_flag("--check", settings->check,
+                    "Fail unless the 95 % intervals of the first two cases lie within 1.00 +- 0.02");
   command->add_option("--output", settings->output, "Append one JSON line a case to this file");
   command->add_flag("--cpu-time", Stopwatch::cpu_time,
                     "CPU seconds of the process instead of the wall clock's");

@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "effects.hpp"
 #include "end_to_end.hpp"
+#include "instances.hpp"
 #include "occlusion.hpp"
 #include "record.hpp"
 #include "scaling.hpp"
@@ -17,6 +18,7 @@ int main(int argc, char** argv) {
   nook::bench::add_occlusion(app);
   nook::bench::add_tree(app);
   nook::bench::add_effects(app);
+  nook::bench::add_instances(app);
   nook::bench::add_end_to_end(app);
   nook::bench::add_overhead(app);
   nook::bench::add_scaling(app);

@@ -187,8 +187,11 @@ def main(folder):
     text["micro"] = table(
         ["benchmark", "ns an item"], [[r["run_name"].removesuffix("/real_time"), f"{1e9 / r['items_per_second']:.2f}"] for r in micro(folder)])
     text["effects"] = table(
-        ["against plain AO", "time [least, greatest]", "rays", "clock"],
-        [[l["case"], f"{l['ratio']:.2f} {spread([l['least'], l['greatest']])}", f"{l['rays'] / l['rays_of_plain']:.2f}", "cpu" if l["cpu_time"] else "wall"] for l in read(folder, "effects", lambda l: l["case"])])
+        ["against plain AO", "time [95 % of the median]", "rays", "clock"],
+        [[l["case"], f"{l['ratio']:.2f} {spread(l.get('interval', [l['least'], l['greatest']]))}", f"{l['rays'] / l['rays_of_plain']:.2f}", "cpu" if l["cpu_time"] else "wall"] for l in read(folder, "effects", lambda l: l["case"])])
+    text["instances"] = table(
+        ["oaks", "kept as", "MB", "load", "tree", "kernels", "CPU seconds in all"],
+        [[str(l["instances"]), l["kept_as"], f"{l['peak_bytes'] * 1e-6:.0f}"] + [f"{l[k]:.2f}" for k in ("load_seconds", "tree_seconds", "device_seconds", "cpu_seconds")] for l in read(folder, "instances", lambda l: (l["instances"], l["kept_as"]))])
     machine = folder / "machine.txt"
     if machine.exists():
         text["machine"] = machine.read_text(encoding="utf-8")

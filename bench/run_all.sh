@@ -45,7 +45,8 @@ if wanted end_to_end; then
   run --scene bunny --directions 256 --rounds 1
 fi
 if wanted overhead; then "$bench" overhead --rounds 30 --threads "$threads" --output "$results/overhead.jsonl"; fi
-if wanted effects; then "$bench" effects --rounds 9 --output "$results/effects.jsonl" $clock; fi
+if wanted effects; then "$bench" effects --output "$results/effects.jsonl" $clock; fi
+if wanted instances; then "$bench" instances --threads "$threads" --output "$results/instances.jsonl"; fi
 if wanted scaling; then
   "$bench" scaling --rounds 2 --threads "$threads" --output "$results/scaling.jsonl" --options-output "$results/options.jsonl" $clock
 fi

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+namespace nook::bench {
+
+/// The 95 % interval of the median by the bootstrap (Efron 1979, percentiles of 4000 resamples of a fixed
+/// seed): what the rounds say of the median of endlessly many.
+std::pair<double, double> interval_of_median(const std::vector<double>& values);
+
+}  // namespace nook::bench
