@@ -43,6 +43,14 @@ class GlContext {
 
 /// Makes a context with OSMesa (Mesa's off-screen software renderer) and makes it current.
 /// The library is $NOOK_OSMESA if set, else libOSMesa.so.8 or .6. Throws Error(device) with one line.
+std::unique_ptr<GlContext> make_osmesa_context();
+
+/// Makes a context with surfaceless EGL (EGL_MESA_platform_surfaceless), without window or display, and makes
+/// it current: on a GPU if there is one that the system's EGL can draw with, else by software. The library is
+/// libEGL.so.1. Throws Error(device) with one line.
+std::unique_ptr<GlContext> make_egl_context();
+
+/// One of the two, by $NOOK_GL: osmesa, which is the default, or egl. Throws Error(device) with one line.
 std::unique_ptr<GlContext> make_gl_context();
 
 }  // namespace nook

@@ -60,6 +60,7 @@ std::vector<BadInput> device_rows() {
        {{"NOOK_OPENCL", NOOK_FAILING_OPENCL}, {"NOOK_FAIL_LAUNCH", "2"}}},
       screen_space("no OSMesa", "libnook-no-such-library.so",
                    {{"NOOK_OSMESA", "libnook-no-such-library.so"}}),
+      screen_space("unknown way to OpenGL", "NOOK_GL is 'glx'", {{"NOOK_GL", "glx"}}),
       screen_space("OpenGL context lost at once", "the OpenGL context was lost while uploading the mesh",
                    {{"NOOK_OSMESA", NOOK_FAILING_OSMESA}, {"NOOK_LOSE_CONTEXT", "0"}}),
       screen_space("OpenGL context lost in a frame", "the OpenGL context was lost while reading pixels",

@@ -91,6 +91,21 @@ TEST_F(SsaoProgram, WithoutOsMesaOneLineAndExitCode4) {
   EXPECT_EQ(render("GALLIUM_DRIVER=typo"), 4);
 }
 
+// Both draw with Mesa's rasteriser where there is no GPU: the same picture, but for what a GPU rounds
+// differently.
+TEST_F(SsaoProgram, SurfacelessEglDrawsTheSamePicture) {
+  write_scene("realtime = true\ntype = \"ssao\"\nmethod = \"march\"\nradius = 0.3\n");
+  ASSERT_EQ(render("NOOK_GL=osmesa", "--quiet"), 0) << test::read_bytes(folder / "stderr");
+  const Image osmesa = read_exr(folder / "scene.exr");
+  ASSERT_EQ(render("NOOK_GL=egl", "--quiet"), 0) << test::read_bytes(folder / "stderr");
+  const Image egl = read_exr(folder / "scene.exr");
+  const auto &a = std::get<std::vector<float>>(osmesa.find("R")->values),
+             &b = std::get<std::vector<float>>(egl.find("R")->values);
+  ASSERT_EQ(a.size(), b.size());
+  const bool software = egl.metadata.at("nook/device").find("llvmpipe") != std::string::npos;
+  for (std::size_t i = 0; i < a.size(); ++i) ASSERT_NEAR(a[i], b[i], software ? 0 : 0.2) << "pixel " << i;
+}
+
 TEST_F(SsaoProgram, SsaoAloneLoadsNothingOfOpenCl) {
   write_scene("realtime = true\ntype = \"ssao\"\n");
   const std::string libraries = libraries_of_a_render();

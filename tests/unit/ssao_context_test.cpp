@@ -16,6 +16,22 @@ TEST(GlContext, DrawsWithGl45) {
   EXPECT_FALSE(context->renderer().empty());
 }
 
+TEST(GlContext, DrawsWithSurfacelessEgl) {
+  setenv("NOOK_GL", "egl", 1);
+  const std::unique_ptr<GlContext> context = make_gl_context(), another = make_gl_context();
+  unsetenv("NOOK_GL");
+  context->make_current();
+  EXPECT_EQ(context->version().rfind("4.", 0), 0u) << context->version();
+  EXPECT_FALSE(context->renderer().empty());
+  context->check("testing");
+}
+
+TEST(GlContext, RefusesAnUnknownLibrary) {
+  setenv("NOOK_GL", "glx", 1);
+  test::expect_error(ExitCode::device, "NOOK_GL is 'glx'", [] { make_gl_context(); });
+  unsetenv("NOOK_GL");
+}
+
 TEST(GlContext, ReportsGlErrorsInOneLine) {
   const std::unique_ptr<GlContext> context = make_gl_context();
   context->functions().glEnable(0xffff);
