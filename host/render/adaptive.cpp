@@ -72,30 +72,52 @@ AdaptiveRender::AdaptiveRender(PathTracer& tracer, const Plan& plan, const Error
       target_(target_with_pilot(plan, target)),
       randomisations_(randomisations_of(plan, target_)),
       rules_(rules_of(plan, target_, randomisations_)),
-      session_(tracer, plan, std::move(identity), randomisations_, most_planes(rules_)) {
+      session_(tracer, plan, std::move(identity), randomisations_, most_planes(rules_) + 1) {
+  tracer.count_free(free_plane());
   if (randomisations_.count == 1)
     stages_ = checkpoints(target_.min_spp, target_.max_spp);
   else
     for (const std::uint32_t n : randomisations_.stages) stages_.push_back(n * randomisations_.count);
 }
 
-// Pixels without a hit so far, surrounded by such.
-void AdaptiveRender::finish_background() {
-  const Film& film = session_.films().front();
-  const auto empty = [&](int x, int y) {
-    return x < 0 || y < 0 || x >= film.width || y >= film.height ||
-           film.hits[std::size_t(y) * std::size_t(film.width) + std::size_t(x)] == 0;
-  };
-  for (int y = 0; y < film.height; ++y)
-    for (int x = 0; x < film.width; ++x) {
-      bool all = true;
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx) all = all && empty(x + dx, y + dy);
-      if (!all) continue;
-      for (std::size_t e = 0; e < rules_.size(); ++e)
-        rules_[e]->mark_background(session_.films()[e],
-                                   std::size_t(y) * std::size_t(film.width) + std::size_t(x));
-    }
+std::size_t AdaptiveRender::free_plane() const {
+  return session_.films().front().kept.size() - 1;
+}
+
+// Whether effect e's value is 1 wherever nothing is in reach. (Of bent normals so is the AO, but not the
+// direction.)
+bool AdaptiveRender::is_one_if_free(std::size_t e) const {
+  return plan_.effects[e].reach && plan_.effects[e].effect.kind == EffectKind::ao;
+}
+
+// Pixels without a hit so far, or all of whose samples hit the mesh and have nothing in reach, surrounded by
+// such.
+void AdaptiveRender::finish_certain() {
+  for (std::size_t e = 0; e < rules_.size(); ++e) {
+    Film& film = session_.films()[e];
+    const auto index = [&](int x, int y) {
+      return std::size_t(y) * std::size_t(film.width) + std::size_t(x);
+    };
+    const auto empty = [&](std::size_t i) { return film.hits[i] == 0; };
+    const auto free = [&](std::size_t i) {
+      const std::uint32_t n = film.camera_samples[i];
+      return is_one_if_free(e) && film.hits[i] == n && film.kept[free_plane()][i] == n;
+    };
+    const auto certain = [&](int x, int y) {
+      return x < 0 || y < 0 || x >= film.width || y >= film.height || empty(index(x, y)) || free(index(x, y));
+    };
+    for (int y = 0; y < film.height; ++y)
+      for (int x = 0; x < film.width; ++x) {
+        bool all = true;
+        for (int dy = -1; dy <= 1; ++dy)
+          for (int dx = -1; dx <= 1; ++dx) all = all && certain(x + dx, y + dy);
+        if (!all) continue;
+        if (empty(index(x, y)))
+          rules_[e]->mark_background(film, index(x, y));
+        else
+          rules_[e]->mark_free(film, index(x, y));
+      }
+  }
 }
 
 bool AdaptiveRender::done(std::size_t pixel) const {
@@ -110,7 +132,7 @@ SampleBoxes AdaptiveRender::next() {
   const auto& taken_by = films.front().camera_samples;
   const std::uint32_t taken = *std::max_element(taken_by.begin(), taken_by.end());
   if (taken > 0) {
-    if (taken == stages_.front()) finish_background();
+    if (taken == stages_.front()) finish_certain();
     for (std::size_t e = 0; e < rules_.size(); ++e) rules_[e]->look(films[e], taken);
     measure_progress();
   }
@@ -137,9 +159,10 @@ void AdaptiveRender::measure_progress() {
     double most = 0;
     for (std::size_t e = 0; e < rules_.size(); ++e) {
       if (rules_[e]->background(films[e], i)) continue;
+      seen += 1;
+      if (rules_[e]->free(films[e], i)) continue;
       const double error = rules_[e]->estimate(films[e], i).half_width / target_.z();
       square += error * error;
-      seen += 1;
       if (!rules_[e]->done(films[e], i))
         most = std::max(most, std::min(rules_[e]->samples_needed(films[e], i), double(stages_.back())) -
                                   films[e].camera_samples[i]);
@@ -185,6 +208,8 @@ AdaptiveResult AdaptiveRender::result() {
       PixelEstimate pixel;
       if (rule.background(film, i))
         pixel.samples = film.camera_samples[i];
+      else if (rule.free(film, i))
+        pixel = {1, 0, rule.samples_at_stop(film, i)};
       else if (film.camera_samples[i] > 0)
         pixel = rule.estimate(film, i);
       else

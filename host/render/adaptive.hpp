@@ -45,8 +45,9 @@ Randomisations randomisations_of(const Plan& plan, const ErrorTarget& target);
 /// With independent samples: counts (AO, cosine) sequentially, all others with a pilot (independent_rule()).
 /// With randomised point sequences (Sobol', Halton): by the spread of 8 randomisations (replicate_rule()),
 /// which is cheaper where the sequence is better than independent samples and the error asked is not reached
-/// by its first stage already. A pixel whose first samples, and its neighbours', all miss the mesh is done at
-/// once.
+/// by its first stage already. A pixel is done at once whose first samples, and its neighbours', all miss the
+/// mesh, or all meet it where nothing is in reach (AO, EffectPlan::reach): the value is 1 then, its error 0.
+/// An occluder in reach of a part of the pixel alone, between the samples of nine pixels, is missed.
 ///
 /// Same plan, target and tracer: same bits, also of a render that was stopped and resumed.
 class AdaptiveRender {
@@ -74,7 +75,9 @@ class AdaptiveRender {
 
  private:
   SampleBoxes next();
-  void finish_background();
+  std::size_t free_plane() const;
+  bool is_one_if_free(std::size_t effect) const;
+  void finish_certain();
   bool done(std::size_t pixel) const;
   void measure_progress();
   AdaptiveResult result();

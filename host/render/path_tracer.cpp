@@ -270,6 +270,7 @@ void PathTracer::harvest(Slot& slot, std::span<Film> films) {
         film.camera_samples[i] += batch.samples;
         film.hits[i] += results[t].hits;
       }
+      if (free_plane_ && *free_plane_ < film.kept.size()) film.kept[*free_plane_][i] += results[t].free;
       for (std::size_t plane = 0; plane < planes; ++plane) film.extra[plane][i] += extra[planes * t + plane];
       counters_.occlusion_rays += results[t].rays;
       counters_.effect_rays[e] += results[t].rays;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -76,6 +77,10 @@ class PathTracer {
     plan_.spp = spp;
     plan_.seed = seed;
   }
+
+  /// From now on adds each pixel's camera samples at whose points nothing was in reach (EffectPlan::reach) to
+  /// plane `plane` of Film::kept.
+  void count_free(std::size_t plane) { free_plane_ = plane; }
 
   /// Rays of a launch, at most: the fewer, the more often progress is called. A launch far smaller than
   /// most_rays_per_launch costs a device more than its rays. Counts from the next launch on.
@@ -160,6 +165,7 @@ class PathTracer {
   double build_seconds_ = 0;
   std::uint64_t rays_per_launch_ = most_rays_per_launch;
   bool all_from_cache_ = true;
+  std::optional<std::size_t> free_plane_;
 };
 
 /// The window's pixels (y * width + x) in Morton order within 32x32 tiles: neighbours in the list are

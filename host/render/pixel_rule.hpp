@@ -42,6 +42,8 @@ class PixelRule {
   bool background(const Film& film, std::size_t pixel) const {
     return film.kept[plane_][pixel] & background_bit;
   }
+  /// Nothing is in reach of what the pixel sees.
+  bool free(const Film& film, std::size_t pixel) const { return film.kept[plane_][pixel] & free_bit; }
   /// Camera samples when it was marked; 0 while it goes on.
   std::uint32_t samples_at_stop(const Film& film, std::size_t pixel) const {
     return std::uint32_t(film.kept[plane_][pixel]);
@@ -49,13 +51,16 @@ class PixelRule {
   void mark_background(Film& film, std::size_t pixel) const {
     film.kept[plane_][pixel] = background_bit | film.camera_samples[pixel];
   }
+  void mark_free(Film& film, std::size_t pixel) const {
+    film.kept[plane_][pixel] = free_bit | film.camera_samples[pixel];
+  }
 
  protected:
   /// plane: of Film::kept, its first; bound: the largest sample.
   PixelRule(std::size_t plane, double bound, const ErrorTarget& target)
       : plane_(plane), bound_(bound), target_(target), z_(target.z()) {}
 
-  static constexpr std::uint64_t background_bit = 1ull << 63;
+  static constexpr std::uint64_t background_bit = 1ull << 63, free_bit = 1ull << 62;
   std::size_t plane_;
   double bound_;
   ErrorTarget target_;

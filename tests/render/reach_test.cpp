@@ -1,13 +1,17 @@
 // Points with nothing in reach trace no rays, and no bit of the picture tells.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "bvh/bvh.hpp"
 #include "effects_geometry.hpp"
 #include "hard_meshes.hpp"
+#include "render/adaptive.hpp"
 #include "render/path_tracer.hpp"
 #include "render/vertex_points.hpp"
+#include "scene/names.hpp"
 #include "support/kernels.hpp"
 #include "support/meshes.hpp"
 #include "support/mutants.hpp"
@@ -256,6 +260,50 @@ TEST(Reach, TooSmallAReachShows) {
     };
     EXPECT_FALSE(same_bits(court.picture(scene, true, Traversal::automatic, mutant).film, all.film));
   }
+}
+
+// Far from its parts the courtyard's floor is done after the first samples, exactly; near them pixels take
+// what they need.
+TEST(Reach, APixelWithNothingInReachStopsAtOnce) {
+  const TriangleMesh mesh = with_bounds(courtyard());
+  const Bvh bvh = build_bvh(mesh);
+  for (const Sampler sampler : {Sampler::independent, Sampler::sobol})
+    for (const Sampling sampling : {Sampling::cosine, Sampling::sphere}) {
+      SCOPED_TRACE(testing::Message() << name_of(sampler) << ", " << name_of(sampling));
+      Scene scene = of_courtyard(ao_within(0.2f), 16, 1);
+      scene.sampler = sampler;
+      scene.effects[0].sampling = sampling;
+      ErrorTarget target;
+      target.error = 0.02;
+      target.max_spp = 4096;
+      const auto rendered = [&](bool reach) {
+        Plan plan = make_plan(scene, mesh);
+        plan.effects[0].reach = reach;
+        plan = AdaptiveRender::plan_for(plan, target);
+        PathTracer tracer(device(), plan, mesh, bvh);
+        return AdaptiveRender(tracer, plan, target).run().effects[0];
+      };
+      const PixelEstimates asked = rendered(true), all = rendered(false);
+      const std::uint32_t first = *std::min_element(asked.samples.begin(), asked.samples.end());
+      std::size_t stopped = 0, others = 0;
+      for (std::size_t i = 0; i < asked.value.size(); ++i) {
+        if (asked.value[i] == 1 && asked.variance[i] == 0) {
+          EXPECT_EQ(asked.samples[i], first);
+          EXPECT_NEAR(all.value[i], 1, 5 * target.error);
+          ++stopped;
+        } else if (asked.variance[i] > 0) {
+          ++others;
+        }
+      }
+      EXPECT_GT(stopped, 150u);
+      EXPECT_GT(others, 100u);
+      const auto samples_of = [](const PixelEstimates& made) {
+        return std::accumulate(made.samples.begin(), made.samples.end(), 0ull);
+      };
+      // Sobol' samples that do not vary stop at the first stage by themselves.
+      EXPECT_LE(samples_of(asked), samples_of(all));
+      EXPECT_TRUE(sampler != Sampler::independent || samples_of(asked) < samples_of(all));
+    }
 }
 
 TEST(Reach, IsAskedWithinASmallPartOfTheScene) {
