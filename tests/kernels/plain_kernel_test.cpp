@@ -113,6 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
              "vload16(1, planes + y)",
              "vload16(2, planes + y)",
              {{"INSTANCES", 1}}},
+        Part{"reach", "occlusion.cl", "#define REACH_VISITS 12u", "#define REACH_VISITS 11u", {{"REACH", 1}}},
         Part{"reflection",
              "occlusion.cl",
              "2.0f * dot(normal, view) * normal - view;",
