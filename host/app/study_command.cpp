@@ -231,7 +231,7 @@ int study(const StudyOptions& options) {
   if (options.gallery) {
     const double share = std::max(0.1, std::min(gallery_share * options.budget, options.budget - elapsed()));
     std::tie(gallery.width, gallery.height) =
-        size_of(scene, std::clamp(rate * share / 2500, 2000.0, 480.0 * 360.0));
+        size_of(scene, std::clamp(rate * share / 3500, 2000.0, 480.0 * 360.0));
     const StudyScene picture(device, scene, mesh, bvh, gallery.width, gallery.height);
     gallery.pictures = make_gallery(picture, share, scene.seed + 1);
     say(fmt::format("pictures of {}x{}", gallery.width, gallery.height));

@@ -161,7 +161,7 @@ void AdaptiveRender::measure_progress() {
       if (rules_[e]->background(films[e], i)) continue;
       seen += 1;
       if (rules_[e]->free(films[e], i)) continue;
-      const double error = rules_[e]->estimate(films[e], i).half_width / target_.z();
+      const double error = rules_[e]->half_width(films[e], i) / target_.z();
       square += error * error;
       if (!rules_[e]->done(films[e], i))
         most = std::max(most, std::min(rules_[e]->samples_needed(films[e], i), double(stages_.back())) -

@@ -1,7 +1,6 @@
 #include "render/forecast.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "render/replicated_pilot.hpp"
@@ -32,19 +31,16 @@ std::vector<std::uint32_t> spread_runs(std::size_t pixels, std::size_t wanted) {
 }  // namespace
 
 Forecast forecast(PathTracer& tracer, const Plan& plan, const ErrorTarget& target,
-                  std::span<const double> errors, double seconds) {
-  using Clock = std::chrono::steady_clock;
-  const auto since = [](Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-  };
-  const Clock::time_point start = Clock::now();
+                  std::span<const double> errors, double seconds, const Deadline::Clock& clock) {
+  const auto since = [&](double start) { return clock() - start; };
+  const double start = clock();
   const std::vector<std::uint32_t> order = pixels_in_order(plan.window, plan.width);
   std::vector<std::uint32_t> pixels =
       spread_runs(order.size(), std::max<std::size_t>(8192, order.size() / 32));
   if (plan.sampler != Sampler::independent) {
     Forecast made;
     ReplicatedPilot pilot(tracer, plan, target, std::move(pixels));
-    made.samples_per_second = pilot.run([&] { return since(start) < seconds; });
+    made.samples_per_second = pilot.run([&] { return since(start) < seconds; }, clock);
     for (const double error : errors) {
       const bool counts = AdaptiveRender::plan_for(plan, {.error = error}).sampler == Sampler::independent;
       const double spp = counts ? counts_surplus * pilot.samples_as_counts(error) : pilot.samples_for(error);
@@ -55,19 +51,24 @@ Forecast forecast(PathTracer& tracer, const Plan& plan, const ErrorTarget& targe
   }
   for (std::uint32_t& pixel : pixels) pixel = order[pixel];
   std::vector<Film> films = tracer.make_films();
-  // The first launches load code and fill caches: they count as samples, not as speed.
+  // The first launches load code and fill caches: they count as samples, not as speed. And a render spends
+  // its time on pixels that see the mesh.
   std::uint32_t taken = 16;
   tracer.accumulate(pixels, {0, taken}, films);
-  const Clock::time_point measured = Clock::now();
-  std::uint32_t timed = 0;
+  std::vector<std::uint32_t> on_mesh;
+  for (const std::uint32_t pixel : pixels)
+    if (films.front().hits[plan.film_index(pixel)] > 0) on_mesh.push_back(pixel);
+  if (on_mesh.empty()) on_mesh = pixels;
+  std::vector<double> rates;
   do {
-    tracer.accumulate(pixels, {taken, samples_a_pass}, films);
+    const double began = clock();
+    tracer.accumulate(on_mesh, {taken, samples_a_pass}, films);
     taken += samples_a_pass;
-    timed += samples_a_pass;
+    rates.push_back(double(samples_a_pass) * double(on_mesh.size()) / std::max(clock() - began, 1e-9));
   } while (since(start) < seconds && taken + samples_a_pass < plan.spp && taken < 4096);
 
   Forecast made;
-  made.samples_per_second = double(timed) * double(pixels.size()) / since(measured);
+  made.samples_per_second = median(rates);
   for (const double error : errors) {
     double total = 0;
     for (const std::uint32_t pixel : pixels) {

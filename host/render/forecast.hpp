@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "render/adaptive.hpp"
+#include "render/deadline.hpp"
 
 namespace nook {
 
@@ -21,9 +22,12 @@ struct Forecast {
 };
 
 /// Predicts AdaptiveRender from a pilot on every so-manieth run of 64 neighbouring pixels, which takes about
-/// `seconds`: the samples each needs follow from its mean and variance, the time from the rate. tracer and
-/// plan as for AdaptiveRender with the least of the errors.
+/// `seconds`: the samples each needs follow from its mean and variance, the time from the rate, which is the
+/// median of several passes over those that see the mesh. tracer and plan as for AdaptiveRender with the
+/// least of the errors. clock: what the seconds are of; the processor's time, say, on a machine with other
+/// work.
 Forecast forecast(PathTracer& tracer, const Plan& plan, const ErrorTarget& target,
-                  std::span<const double> errors, double seconds);
+                  std::span<const double> errors, double seconds,
+                  const Deadline::Clock& clock = Deadline::steady_seconds);
 
 }  // namespace nook

@@ -34,14 +34,21 @@ class CountedPixels : public PixelRule {
     const double mean = sums_of(film, i).mean();
     return nook::samples_needed(mean, mean, 1, target_.error, z_);
   }
+  double half_width(const Film& film, std::size_t i) const override {
+    const auto [n, k] = counted(film, i);
+    return counts_.half_width(n, k);
+  }
   PixelEstimate estimate(const Film& film, std::size_t i) const override {
-    const bool stopped = done(film, i);
-    const std::uint32_t n = stopped ? samples_at_stop(film, i) : film.camera_samples[i];
-    const std::uint32_t k = hits(film, stopped ? film.kept[1][i] : film.sum[i]);
+    const auto [n, k] = counted(film, i);
     return {counts_.estimate(n, k), counts_.half_width(n, k), n};
   }
 
  private:
+  // Samples and hits when the pixel stopped, or so far.
+  std::pair<std::uint32_t, std::uint32_t> counted(const Film& film, std::size_t i) const {
+    if (!done(film, i)) return {film.camera_samples[i], hits(film, film.sum[i])};
+    return {samples_at_stop(film, i), hits(film, film.kept[1][i])};
+  }
   static std::uint32_t hits(const Film& film, std::uint64_t sum) {
     return std::uint32_t(std::lround(double(sum) / film.sum_scale));
   }

@@ -31,9 +31,13 @@ class PixelRule {
   virtual void prepare(const Film&) {}
   /// The camera samples that a pixel which goes on will have needed, about.
   virtual double samples_needed(const Film& film, std::size_t pixel) const = 0;
-  /// The half width that decides; estimate()'s if the rule has none of its own.
-  virtual double deciding_half_width(const Film& film, std::size_t pixel) const {
+  /// estimate()'s, which may cost more.
+  virtual double half_width(const Film& film, std::size_t pixel) const {
     return estimate(film, pixel).half_width;
+  }
+  /// The half width that decides; half_width() if the rule has none of its own.
+  virtual double deciding_half_width(const Film& film, std::size_t pixel) const {
+    return half_width(film, pixel);
   }
   /// Of a pixel that is no background, done or not, with at least one sample.
   virtual PixelEstimate estimate(const Film& film, std::size_t pixel) const = 0;

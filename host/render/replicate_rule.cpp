@@ -42,6 +42,13 @@ class ReplicatedPixels : public PixelRule {
     const double around = quantile_ * std::sqrt(variance_around(film, i)), own = half_width(film, i);
     return std::max(around, own / std::sqrt(own_excess));
   }
+  double half_width(const Film& film, std::size_t i) const override {
+    const double variance = (degrees_ * variances_[i] + degrees_of_neighbours * variance_around(film, i)) /
+                            (degrees_ + degrees_of_neighbours);
+    // An event of probability 1 / (9 n) makes a standard error of 1 / (3 n).
+    const double unseen = bound_ / (3.0 * film.camera_samples[i] * film.per_replicate);
+    return quantile_ * (variance > 0 ? std::sqrt(variance) : unseen);
+  }
   void prepare(const Film& film) override {
     variances_.resize(film.pixels());
     for (std::size_t i = 0; i < film.pixels(); ++i) variances_[i] = variance_of_mean(film, i);
@@ -76,13 +83,6 @@ class ReplicatedPixels : public PixelRule {
         pixels += 1;
       }
     return pixels > 0 ? sum / pixels : variances_[i];
-  }
-  double half_width(const Film& film, std::size_t i) const {
-    const double variance = (degrees_ * variances_[i] + degrees_of_neighbours * variance_around(film, i)) /
-                            (degrees_ + degrees_of_neighbours);
-    // An event of probability 1 / (9 n) makes a standard error of 1 / (3 n).
-    const double unseen = bound_ / (3.0 * film.camera_samples[i] * film.per_replicate);
-    return quantile_ * (variance > 0 ? std::sqrt(variance) : unseen);
   }
 
   Randomisations randomisations_;

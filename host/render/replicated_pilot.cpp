@@ -1,10 +1,15 @@
 #include "render/replicated_pilot.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace nook {
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
 
 ReplicatedPilot::ReplicatedPilot(PathTracer& tracer, const Plan& plan, const ErrorTarget& target,
                                  std::vector<std::uint32_t> positions)
@@ -17,32 +22,37 @@ ReplicatedPilot::ReplicatedPilot(PathTracer& tracer, const Plan& plan, const Err
   for (const std::uint32_t n : randomisations_.stages) stages_.push_back(n * randomisations_.count);
 }
 
-double ReplicatedPilot::run(const std::function<bool()>& go_on) {
-  using Clock = std::chrono::steady_clock;
+double ReplicatedPilot::run(const std::function<bool()>& go_on, const Deadline::Clock& clock) {
   constexpr std::size_t least_stages = 3;
   std::size_t stage = 0;
-  double seconds = 0, samples = 0;
-  Clock::time_point began = Clock::now();
+  double began = clock(), samples = 0;
+  std::vector<double> rates;
+  // Background takes the first stage's samples and no more. (If there is nothing else, the rate is its.)
+  const auto goes_on = [&](std::uint32_t p) {
+    return stage == 0 || background_only_ || session_.films().front().hits[session_.film_index(p)] > 0;
+  };
   const Session::Schedule next = [&](const Session&) -> SampleBoxes {
     if (stage > 0) remember();
-    if (stage > 1) {
-      seconds += std::chrono::duration<double>(Clock::now() - began).count();
-      samples += double(positions_.size()) * (stages_[stage - 1] - stages_[stage - 2]);
-    }
+    if (stage > 1 || stage == stages_.size()) rates.push_back(samples / std::max(clock() - began, 1e-9));
+    if (stage == 1) background_only_ = std::none_of(positions_.begin(), positions_.end(), goes_on);
     if (stage == stages_.size() || (stage >= least_stages && !go_on())) return {};
-    began = Clock::now();
+    began = clock();
     const std::uint32_t taken = stage > 0 ? stages_[stage - 1] : 0;
     SampleBoxes boxes;
-    for (const std::uint32_t p : positions_)
+    samples = 0;
+    for (const std::uint32_t p : positions_) {
+      if (!goes_on(p)) continue;
+      samples += stages_[stage] - taken;
       if (!boxes.empty() && boxes.back().pixel_end == p)
         ++boxes.back().pixel_end;
       else
         boxes.push_back({p, p + 1, taken, stages_[stage]});
+    }
     ++stage;
     return boxes;
   };
   session_.run(next, [] { return true; });
-  return seconds > 0 ? samples / seconds : 0;
+  return median(rates);
 }
 
 void ReplicatedPilot::remember() {

@@ -5,8 +5,12 @@
 #include <vector>
 
 #include "render/adaptive.hpp"
+#include "render/deadline.hpp"
 
 namespace nook {
+
+/// Of at least one value; of an even number, the upper of the middle two.
+double median(std::vector<double> values);
 
 /// A few pixels rendered as AdaptiveRender does with randomised sequences, to predict what all of them will
 /// need.
@@ -16,9 +20,9 @@ class ReplicatedPilot {
   ReplicatedPilot(PathTracer& tracer, const Plan& plan, const ErrorTarget& target,
                   std::vector<std::uint32_t> positions);
 
-  /// Stage by stage until `go_on` says no, at least three. Camera samples a second, the first stage's time
-  /// left out (it loads code).
-  double run(const std::function<bool()>& go_on);
+  /// Stage by stage until `go_on` says no, at least three. Camera samples a second, the median of the stages
+  /// but the first, which loads code.
+  double run(const std::function<bool()>& go_on, const Deadline::Clock& clock);
 
   /// Mean camera samples a pixel for another error: the first stage at which its interval was narrow enough,
   /// or the one that it will be at, along the slope that the pixels' variance fell with.
@@ -35,6 +39,7 @@ class ReplicatedPilot {
   std::vector<std::unique_ptr<PixelRule>> rules_;
   Session session_;
   std::vector<std::uint32_t> positions_;
+  bool background_only_ = false;
   std::vector<std::uint32_t> stages_;             // camera samples of a pixel after each
   std::vector<std::vector<double>> half_widths_;  // by stage, then pixel (the widest effect's)
 };

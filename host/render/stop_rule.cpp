@@ -29,16 +29,12 @@ Interval score_interval(const SampleSums& sums, double bound, double z) {
 }
 
 double samples_needed(double mean, double mean_square, double bound, double error, double z) {
-  double low = 0, high = 1;
-  const auto narrow = [&](double n) {
-    return score_interval({mean * n, mean_square * n, n}, bound, z).half_width() <= z * error;
-  };
-  while (!narrow(high) && high < 1e18) high *= 2;
-  for (int step = 0; step < 60; ++step) {
-    const double middle = 0.5 * (low + high);
-    (narrow(middle) ? high : low) = middle;
-  }
-  return high;
+  // The half width's square over z² is (v n + z² c²/4) / (n + z²)²: equal to error² for a root of a
+  // quadratic.
+  const double c = mean > 0 ? std::max(mean_square / mean, mean) : bound, v = mean * (c - mean);
+  const double z2 = z * z, e2 = error * error, b = 0.5 * v - e2 * z2;
+  const double root = b * b + e2 * z2 * (0.25 * c * c - e2 * z2);
+  return root > 0 ? std::max(0.0, (b + std::sqrt(root)) / e2) : 0;
 }
 
 std::vector<std::uint32_t> checkpoints(std::uint32_t first, std::uint32_t last) {

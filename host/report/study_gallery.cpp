@@ -89,7 +89,7 @@ std::vector<GalleryPicture> make_gallery(const StudyScene& scene, double seconds
     equal_time.push_back(timed.picture);
     // Independent samples: the squared error falls as their number rises.
     const double excess = std::pow(timed.error / to_error.error, 2);
-    if (!is_adaptive(method) && excess * timed.seconds > 0.2 * seconds) continue;
+    if (!is_adaptive(method) && excess * timed.seconds > 0.3 * seconds) continue;
     const double level = is_adaptive(method) ? to_error.error : whole_level(method, timed.level * excess);
     equal_error.push_back(
         show_near(method, level, seed, reference, "equal error", to_error.error, &Shown::error).picture);
