@@ -216,7 +216,7 @@ def check_tables(page, folder):
 
 
 def study(nook, folder, *more):
-    command = [nook, "study", str(folder / "corner.toml"), "-o", str(folder / "study"), "--budget", "20", "--max-spp", "64", "--quiet", *more]
+    command = [nook, "study", str(folder / "corner.toml"), "-o", str(folder / "study"), "--budget", "40", "--max-spp", "64", "--quiet", *more]
     return subprocess.run(command, check=True, capture_output=True, text=True).stderr
 
 

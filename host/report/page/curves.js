@@ -7,7 +7,7 @@ const axes = {
 const dashes = {fixed: null, adaptive: [7, 4], ssao: [2, 3]};
 
 function tipOf(m, p) {
-  return [`${levelName[m.family]} ${short(p.level)}`, `RMSE ${short(p.rmse, 4)}, 95 % [${short(p.rmse_low)}, ${short(p.rmse_high)}]`,
+  return [`${levelName[m.family]} ${short(p.level, 4)}`, `RMSE ${short(p.rmse, 4)}, 95 % [${short(p.rmse_low)}, ${short(p.rmse_high)}]`,
     `${short(p.wall_seconds)} s, in kernels ${short(p.device_seconds)} s`, `${short(p.rays)} rays, ${p.runs} run${p.runs === 1 ? '' : 's'}`, `bias ${short(p.bias, 2)}`];
 }
 
@@ -20,7 +20,7 @@ function curveOf(m, get, fit = null) {
 
 function pointTable(target, methods) {
   table(target, ['method', 'level', 'runs', 'RMSE', '95 % from', 'to', 'seconds', 'in kernels', 'rays', 'bias', 'covered'], methods.flatMap(m => m.points.map(p =>
-    [named(m), `${short(p.level)} ${levelName[m.family]}`, p.runs, short(p.rmse, 4), short(p.rmse_low), short(p.rmse_high), short(p.wall_seconds), short(p.device_seconds), short(p.rays), short(p.bias, 2), percent(p.covered)])));
+    [named(m), `${short(p.level, 4)} ${levelName[m.family]}`, p.runs, short(p.rmse, 4), short(p.rmse_low), short(p.rmse_high), short(p.wall_seconds), short(p.device_seconds), short(p.rays), short(p.bias, 2), percent(p.covered)])));
 }
 
 function slopeTable(target, methods) {

@@ -15,6 +15,7 @@ if (canPlot) {
   showCurves(methods, fact('size'));
 } else {
   byId('no-plots').hidden = false;
+  document.querySelectorAll('.plots-only').forEach(e => e.remove());
   byId('curve-figure').replaceChildren(element('div', {id: 'slope-table'}));
   slopeTable(byId('slope-table'), methods);
   byId('point-details').open = true;
