@@ -1,6 +1,7 @@
-// nook info SCENE: what is in the mesh, and what the scene's numbers resolve to.
+// nook info SCENE: what is in the mesh, and what the scene's numbers and the flags resolve to.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/commands.hpp"
@@ -13,8 +14,39 @@
 namespace nook {
 namespace {
 
+// What a flag may have changed of an effect.
+std::string settings_of(const Effect& effect) {
+  if (effect.kind == EffectKind::ssao)
+    return fmt::format("{}, radius {}", name_of(effect.ssao.method),
+                       effect.ssao.radius > 0 ? fmt::format("{:g}", effect.ssao.radius) : "auto");
+  if (is_surface(effect.kind)) return "of the surface";
+  std::string text = fmt::format("{} sampling", name_of(effect.sampling));
+  if (effect.kind == EffectKind::ro)
+    text += effect.exponent_of_material ? ", exponent of the material"
+                                        : fmt::format(", exponent {:g}", effect.exponent);
+  return text;
+}
+
+void print_picture(const Scene& scene, bool spp_given) {
+  const PixelRect window = scene.crop.value_or(PixelRect{0, 0, scene.width, scene.height});
+  fmt::print("picture           {}x{}, pixels {} <= x < {}, {} <= y < {}\n", scene.width, scene.height,
+             window.x0, window.x1, window.y0, window.y1);
+  const bool sampled = std::any_of(scene.effects.begin(), scene.effects.end(),
+                                   [](const Effect& effect) { return is_traced(effect.kind); });
+  if (sampled)
+    fmt::print("samples           {}, {} of a camera ray, {} from seed {}\n",
+               scene.stop.any() && !spp_given
+                   ? fmt::format("at most {} camera rays a pixel", scene.stop.max_spp)
+                   : fmt::format("{} camera rays a pixel", scene.spp),
+               scene.directions == 1 ? "1 direction" : fmt::format("{} directions", scene.directions),
+               name_of(scene.sampler), scene.seed);
+  for (const Effect& effect : scene.effects)
+    fmt::print("effect            {}: {}\n", name_of(effect.kind), settings_of(effect));
+}
+
 int print_info(const SceneOptions& options) {
   const Scene scene = options.load();
+  options.check_applicable(scene);
   const TriangleMesh mesh = load_scene_mesh(
       scene, {.normals = true, .uvs = false, .materials = true, .groups = true}, scene.instancing);
   const MeshAnalysis analysis = analyse(mesh);
@@ -47,6 +79,7 @@ int print_info(const SceneOptions& options) {
                    ? "compat = tinyrender"
                    : to_string(effect.max_distance));
   }
+  print_picture(scene, options.spp.has_value());
   return 0;
 }
 
@@ -54,7 +87,7 @@ int print_info(const SceneOptions& options) {
 
 void add_info_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<SceneOptions>();
-  CLI::App* command = app.add_subcommand("info", "Describe a scene's mesh and its resolved distance limit");
+  CLI::App* command = app.add_subcommand("info", "Describe a scene's mesh and what its numbers resolve to");
   options->add_to(*command);
   command->callback([options, &chosen] { chosen = [options] { return print_info(*options); }; });
 }

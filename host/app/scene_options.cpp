@@ -9,6 +9,7 @@
 #include <cstdlib>
 
 #include "base/error.hpp"
+#include "base/threads.hpp"
 #include "film/exr.hpp"
 #include "render/plan.hpp"
 #include "scene/names.hpp"
@@ -226,13 +227,14 @@ void DeviceOptions::add_to(CLI::App& command) {
   command
       .add_option("--device", selector, "cpu, gpu, PLATFORM:DEVICE, or a part of a name (see nook devices)")
       ->envname("NOOK_DEVICE");
-  command.add_option("--threads", threads, "Compute units of a CPU device to use; 0: all")
+  command.add_option("--threads", threads, "Threads to use, of a CPU device and of nook itself; 0: all")
       ->envname("NOOK_THREADS");
 }
 
 Device DeviceOptions::open() const {
   limit_threads(threads);
   limit_exr_threads(threads);
+  limit_own_threads(threads);
   return Device(select_device(selector));
 }
 

@@ -9,6 +9,7 @@
 #include "app/scene_options.hpp"
 #include "app/ssao_draw.hpp"
 #include "base/libraries.hpp"
+#include "base/threads.hpp"
 #include "film/exr.hpp"
 #include "film/png.hpp"
 #include "mesh/mesh_analysis.hpp"
@@ -30,6 +31,7 @@ int render_ssao(const Scene& scene, const SsaoRun& run, std::optional<TriangleMe
   const Clock::time_point start = Clock::now();
   RunRecord record;
   record.scene_file = run.scene_file.string();
+  limit_own_threads(run.threads);
   // llvmpipe has no other way; it reads this when the context is made.
   if (run.threads > 0) setenv("LP_NUM_THREADS", std::to_string(run.threads).c_str(), 1);
   if (!loaded) loaded = load_scene_mesh(scene, needed_attributes(scene, run.aovs.normal));

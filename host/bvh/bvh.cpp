@@ -4,9 +4,9 @@
 #include <chrono>
 #include <new>
 #include <numeric>
-#include <thread>
 
 #include "base/error.hpp"
+#include "base/threads.hpp"
 #include "bvh/binary_tree.hpp"
 #include "bvh/collapse.hpp"
 #include "bvh/instance_trees.hpp"
@@ -20,9 +20,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 Bvh build(const TriangleMesh& mesh, const BvhOptions& options) {
   const auto start = std::chrono::steady_clock::now();
-  const unsigned threads =
-      options.threads ? options.threads : std::max(1u, std::thread::hardware_concurrency());
-  TaskPool pool(threads);
+  TaskPool pool(threads_to_use(options.threads));
   Bvh bvh;
   double build_seconds = 0, collapse_seconds = 0;
   for (const SplitRule rule : {SplitRule::surface_area, SplitRule::median}) {

@@ -126,7 +126,8 @@ ClBuffer Device::buffer(std::size_t bytes, cl_mem_flags flags) const {
       opencl().clCreateBuffer(context_.get(), flags, std::max<std::size_t>(bytes, 1), nullptr, &code));
   if (code != CL_SUCCESS)
     throw Error(ExitCode::device,
-                fmt::format("device memory: {} bytes asked, {} allowed in one piece, {} in all on {} ({})",
+                fmt::format("device memory: {} bytes asked, {} allowed in one piece, {} in all on {} ({}); "
+                            "render it in tiles with --crop, or on another --device",
                             bytes, info_.max_allocation, info_.memory, info_.name, opencl_error_name(code)));
   return made;
 }
@@ -138,10 +139,11 @@ ClBuffer Device::input_bytes(const void* data, std::size_t bytes) const {
   ClBuffer made(
       opencl().clCreateBuffer(context_.get(), CL_MEM_READ_ONLY | how, bytes, const_cast<void*>(data), &code));
   if (code != CL_SUCCESS)
-    throw Error(ExitCode::device,
-                fmt::format("the scene does not fit the device: {} bytes asked, {} allowed in one piece, {} "
-                            "in all on {} ({})",
-                            bytes, info_.max_allocation, info_.memory, info_.name, opencl_error_name(code)));
+    throw Error(
+        ExitCode::device,
+        fmt::format("the scene does not fit the device: {} bytes asked, {} allowed in one piece, {} "
+                    "in all on {} ({}); tiles would not help: take a smaller mesh or another --device",
+                    bytes, info_.max_allocation, info_.memory, info_.name, opencl_error_name(code)));
   bytes_uploaded_ += bytes;
   return made;
 }

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <system_error>
 #include <thread>
+
+#include "base/threads.hpp"
 
 namespace nook {
 namespace {
@@ -104,14 +107,17 @@ class Filter {
 
   template <class Row>
   void for_rows(Row row) const {
-    const unsigned count =
-        settings_.threads ? settings_.threads : std::max(1u, std::thread::hardware_concurrency());
+    const unsigned count = threads_to_use(settings_.threads);
     std::atomic<int> next{0};
     const auto work = [&] {
       for (int y; (y = next++) < height_;) row(y);
     };
     std::vector<std::jthread> threads;
-    for (unsigned i = 1; i < count; ++i) threads.emplace_back(work);
+    try {
+      for (unsigned i = 1; i < count; ++i) threads.emplace_back(work);
+    } catch (const std::system_error&) {
+      // The system gives no more threads: those there are do the work.
+    }
     work();
   }
 

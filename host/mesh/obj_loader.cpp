@@ -56,6 +56,26 @@ class MaterialFiles : public tinyobj::MaterialReader {
   std::set<std::string> with_lobe_;
 };
 
+// A material library may have blanks in its name; tinyobjloader takes what they part for several libraries,
+// unless they are escaped. They are, where the whole is a file.
+void escape_library_names(std::string& text, const std::filesystem::path& folder) {
+  const std::string_view key = "mtllib ";
+  for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key, at + 1)) {
+    if (at > 0 && text[at - 1] != '\n') continue;
+    const std::size_t first = text.find_first_not_of(" \t", at + key.size());
+    const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+    if (first >= end) continue;
+    const std::size_t last = text.find_last_not_of(" \t", end - 1);
+    std::string name = text.substr(first, last + 1 - first);
+    std::error_code code;
+    if (name.find(' ') == std::string::npos || !std::filesystem::is_regular_file(folder / name, code))
+      continue;
+    for (std::size_t blank = name.find(' '); blank != std::string::npos; blank = name.find(' ', blank + 2))
+      name.insert(blank, 1, '\\');
+    text.replace(first, last + 1 - first, name);
+  }
+}
+
 std::string read_text(const std::filesystem::path& path) {
   std::string text(size_of_input(path), '\0');
   std::ifstream in(path, std::ios::binary);
@@ -138,6 +158,7 @@ TriangleMesh load_obj(const std::filesystem::path& path, const MeshAttributes& w
   const std::string name = path.string();
   std::string text = read_text(path);
   const ObjScan scan = scan_obj(text, name);
+  if (want.materials) escape_library_names(text, path.parent_path());
 
   tinyobj::attrib_t attrib;
   std::vector<tinyobj::shape_t> shapes;

@@ -12,6 +12,14 @@ BadInput screen_space(const char* name, const std::string& says,
   return row;
 }
 
+// Enough triangles that their positions are the first buffer of over 1000 bytes.
+std::string fan() {
+  std::string text = "v 0 0 0\n";
+  for (int i = 0; i < 100; ++i) text += "v 1 " + std::to_string(i) + " 0\n";
+  for (int i = 2; i < 100; ++i) text += "f 1 " + std::to_string(i) + " " + std::to_string(i + 1) + "\n";
+  return text;
+}
+
 }  // namespace
 
 std::vector<BadInput> device_rows() {
@@ -38,16 +46,26 @@ std::vector<BadInput> device_rows() {
        {{"NOOK_OPENCL", "/nonexistent.so"}}},
       {"device that matches nothing", render + " --device quantum", 4, "no OpenCL device matches 'quantum'"},
       {"device index that is not there", render + " --device 7:7", 4, "no OpenCL device matches '7:7'"},
-      {"device out of memory",
+      {"device out of memory for the mesh",
        render,
        4,
-       "bytes asked",
-       {},
+       "tiles would not help: take a smaller mesh or another --device",
+       mesh(fan()),
        {},
        {},
        {},
        {},
        {{"NOOK_OPENCL", NOOK_FAILING_OPENCL}, {"NOOK_FAIL_ALLOCATION", "1000"}}},
+      {"device out of memory for the samples",
+       render,
+       4,
+       "render it in tiles with --crop",
+       {},
+       {},
+       {},
+       {},
+       {},
+       {{"NOOK_OPENCL", NOOK_FAILING_OPENCL}, {"NOOK_FAIL_ALLOCATION", "9000"}}},
       {"device lost",
        render,
        4,

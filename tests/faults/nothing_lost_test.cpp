@@ -1,64 +1,10 @@
 // Interrupted, killed, split and joined: always the bits of one undisturbed run.
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <csignal>
-#include <memory>
-#include <random>
-#include <thread>
 
-#include "bad_input_rows.hpp"
-#include "film/checkpoint.hpp"
-#include "film/exr.hpp"
-#include "small_scene.hpp"
-#include "support/program.hpp"
+#include "nothing_lost.hpp"
 
 namespace nook::test {
 namespace {
-
-class NothingLost : public testing::Test {
- protected:
-  NothingLost() { write_small_scene(folder.path()); }
-
-  ProgramSetting setting(const std::string& command) const {
-    ProgramSetting made;
-    made.arguments = words(command + " --quiet");
-    made.folder = folder.path();
-    return made;
-  }
-  ProgramResult run(const std::string& command) const { return run_program(NOOK_PROGRAM, setting(command)); }
-  void succeed(const std::string& command) const {
-    const ProgramResult result = run(command);
-    ASSERT_EQ(result.code, 0) << command << ": " << result.err;
-  }
-  /// Waits until the program has written the file (anew). False: it ended first.
-  static bool writes(RunningProgram& program, const std::filesystem::path& file) {
-    std::error_code code;
-    const auto before = std::filesystem::last_write_time(file, code);
-    while (!program.ended_within(0.005)) {
-      const auto now = std::filesystem::last_write_time(file, code);
-      if (!code && now != before) return true;
-    }
-    return false;
-  }
-  /// Every channel to the bit, and all metadata but times and what names the file.
-  void expect_same_picture(const std::string& a, const std::string& b) const {
-    const Image x = read_exr(folder / a), y = read_exr(folder / b);
-    ASSERT_EQ(x.channels.size(), y.channels.size());
-    for (const Channel& channel : x.channels) {
-      const Channel* other = y.find(channel.name);
-      ASSERT_TRUE(other) << channel.name;
-      EXPECT_TRUE(channel.values == other->values)
-          << channel.name << " differs between " << a << " and " << b;
-    }
-    for (const auto& [name, value] : x.metadata)
-      if (!name.starts_with("nook/seconds")) {
-        EXPECT_EQ(y.metadata.at(name), value) << name;
-      }
-  }
-
-  TemporaryFolder folder;
-};
 
 const std::string all_aovs =
     " --aov normal,position,depth,variance,samples,alpha --size 64x48 --spp 96 --directions 8";
@@ -125,10 +71,6 @@ TEST_F(NothingLost, StatusSaysWhatIsMissing) {
   succeed("merge a.nook b.nook --partial -o partial.exr");
 }
 
-// About a second of work on two cores.
-const std::string long_render =
-    "render scene.toml --no-png --size 128x96 --spp 256 --directions 8 --aov normal,variance";
-
 TEST_F(NothingLost, SignalsFlushAndResumeGivesTheSameBits) {
   succeed(long_render + " -o one.exr");
   const std::string resumed = long_render + " --checkpoint c.nook --every 0 --resume -o resumed.exr";
@@ -144,23 +86,6 @@ TEST_F(NothingLost, SignalsFlushAndResumeGivesTheSameBits) {
   succeed(resumed);
   expect_same_picture("one.exr", "resumed.exr");
 }
-
-// Renders to an error: counts, randomised sequences, and, with an RO layer, pilots; each about a second of
-// work. What a rule has decided must survive as well as the sums.
-const std::string two_layers =
-    "[[effect]]\ntype = \"ao\"\nmax_distance = 1.0\n[[effect]]\nname = \"ro\"\ntype = \"ro\"\nexponent = 4\n";
-const std::string renders_to_an_error[] = {
-    "render scene.toml --sampler independent --error .008", "render scene.toml --error .0015",
-    "render layers.toml --sampler independent --error .02", "render layers.toml --error .004"};
-const std::string with_aovs = " --no-png --size 128x96 --aov variance,samples,normal";
-
-class NothingLostToAnError : public NothingLost {
- protected:
-  NothingLostToAnError() {
-    write_bytes(folder / "layers.toml",
-                with(small_scene, "type = \"ao\"\nspp = 4\nmax_distance = 1.0\n", two_layers));
-  }
-};
 
 TEST_F(NothingLostToAnError, SignalsFlushAndResumeGivesTheSameBits) {
   int signal = SIGTERM;
@@ -185,25 +110,6 @@ TEST_F(NothingLostToAnError, SignalsFlushAndResumeGivesTheSameBits) {
   }
 }
 
-TEST_F(NothingLostToAnError, KillsAtRandomMoments) {
-  const char* asked = std::getenv("NOOK_KILLS");
-  const int kills = asked ? std::atoi(asked) : 12;
-  std::minstd_rand random(11);
-  for (const std::string& render : renders_to_an_error) {
-    succeed(render + with_aovs + " -o one.exr");
-    const std::string resumed = render + with_aovs + " --checkpoint c.nook --every 0 --resume -o resumed.exr";
-    for (int killed = 0; killed < kills / 4; ++killed) {
-      RunningProgram program(NOOK_PROGRAM, setting(resumed));
-      std::this_thread::sleep_for(std::chrono::milliseconds(100 + random() % 700));
-      program.send(SIGKILL);
-      program.wait();
-    }
-    succeed(resumed);
-    expect_same_picture("one.exr", "resumed.exr");
-    std::filesystem::remove(folder / "c.nook");
-  }
-}
-
 // A render that ran out of time goes on from there, to the same bits.
 TEST_F(NothingLostToAnError, TimeIsNoEnd) {
   const std::string render = renders_to_an_error[1] + with_aovs;
@@ -211,49 +117,6 @@ TEST_F(NothingLostToAnError, TimeIsNoEnd) {
   EXPECT_EQ(run(render + " --checkpoint c.nook --time .25 -o short.exr").code, 5);
   EXPECT_TRUE(std::filesystem::exists(folder / "short.exr"));
   succeed(render + " --checkpoint c.nook --resume -o resumed.exr");
-  expect_same_picture("one.exr", "resumed.exr");
-}
-
-// Parts that are killed at random moments, and started again until they are done, by processes that run at
-// once.
-TEST_F(NothingLost, KillsAtRandomMoments) {
-  const char* asked = std::getenv("NOOK_KILLS");
-  const int kills = asked ? std::atoi(asked) : 10;
-  succeed(long_render + " -o one.exr");
-  const auto part = [&](int i) {
-    return long_render + " --shard " + std::to_string(i) + "/2 -o k" + std::to_string(i) +
-           ".nook --every 0 --resume";
-  };
-  std::minstd_rand random(7);
-  std::unique_ptr<RunningProgram> running[2];
-  for (int killed = 0; killed < kills; ++killed) {
-    const int i = killed % 2;
-    if (!running[i] || running[i]->ended_within(0)) {
-      // One that is done starts over from nothing, so that every kill meets work.
-      if (running[i]) ASSERT_EQ(running[i]->wait().code, 0);
-      if (running[i]) std::filesystem::remove(folder / ("k" + std::to_string(i + 1) + ".nook"));
-    }
-    running[i] = std::make_unique<RunningProgram>(NOOK_PROGRAM, setting(part(i + 1)));
-    std::this_thread::sleep_for(std::chrono::milliseconds(random() % 700));
-    running[i]->send(SIGKILL);
-    running[i]->wait();
-    running[i].reset();
-  }
-  for (int i : {1, 2}) succeed(part(i));
-  succeed("merge k2.nook k1.nook -o merged.exr");
-  expect_same_picture("one.exr", "merged.exr");
-}
-
-TEST_F(NothingLost, LostDeviceKeepsItsCheckpoint) {
-  succeed(long_render + " -o one.exr");
-  const std::string resumed = long_render + " --checkpoint c.nook --resume -o resumed.exr";
-  ProgramSetting failing = setting(resumed);
-  failing.environment = {{"NOOK_OPENCL", NOOK_FAILING_OPENCL}, {"NOOK_FAIL_LAUNCH", "9"}};
-  const ProgramResult result = run_program(NOOK_PROGRAM, failing);
-  EXPECT_EQ(result.code, 4);
-  EXPECT_NE(result.err.find("CL_OUT_OF_RESOURCES; c.nook holds"), std::string::npos) << result.err;
-  EXPECT_GT(samples_in(read_film_part(folder / "c.nook").held), 0u);
-  succeed(resumed);
   expect_same_picture("one.exr", "resumed.exr");
 }
 

@@ -34,6 +34,8 @@ std::vector<BadInput> option_rows() {
        "--error: works with sampler independent, sobol or halton, not zorder"},
       {"--every without a checkpoint", render + " --every 3", 2, "--every: needs --checkpoint"},
       {"--frames without screen space", render + " --frames 2", 2, "--frames: the scene has no screen-space"},
+      {"info of what no effect reads", "info scene.toml --exponent 3", 2,
+       "--exponent: scene.toml has no effect of type ro"},
       {"--exponent without RO", render + " --exponent 5", 2,
        "--exponent: scene.toml has no effect of type ro"},
       {"--radius without SSAO", render + " --radius 1", 2, "--radius: scene.toml has no effect of type ssao"},

@@ -10,7 +10,8 @@
 namespace nook::test {
 
 Device& device() {
-  static Device chosen([] {
+  // Never destroyed: the implementation may have ended before static objects are.
+  static Device& chosen = *new Device([] {
     const char* selector = std::getenv("NOOK_TEST_DEVICE");
     return select_device(selector ? selector : "");
   }());
