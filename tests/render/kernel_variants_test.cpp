@@ -26,6 +26,10 @@ void PrintTo(const Variant& variant, std::ostream* out) {
   *out << variant.name;
 }
 
+#define NOOK_INSTANCES                                                                                      \
+  "instancing = \"tree\"\n[[instance]]\nobjfile = \"mesh.obj\"\ntranslate = [0.5, 0.2, 0.3]\nscale = 0.5\n" \
+  "rotate = [10, 20, 30]"
+
 std::vector<Variant> variants() {
   std::vector<Variant> all = {
       {"surface", "type = \"ao\""},
@@ -45,6 +49,9 @@ std::vector<Variant> variants() {
       {"occluders", "type = \"ao\"\noccluders = [\"plate\"]"},
       {"receivers", "type = \"ao\"\nreceivers = [\"plate\"]"},
       {"cut_outs", "type = \"ao\"", "cutouts = true"},
+      {"instances", "type = \"ao\"", NOOK_INSTANCES},
+      {"instances_of_the_closest", "type = \"ao\"\nmax_distance = 2\nfalloff = \"linear\"", NOOK_INSTANCES},
+      {"instances_with_cut_outs", "type = \"ao\"", "cutouts = true\n" NOOK_INSTANCES},
       {"cut_outs_of_the_closest", "type = \"ao\"\nmax_distance = 2\nfalloff = \"linear\"", "cutouts = true"}};
   for (const char* keys :
        {"type = \"ao\"\nsampler = \"independent\"", "type = \"ao\"\nsampler = \"stratified\"",
@@ -90,8 +97,8 @@ class KernelVariants : public testing::TestWithParam<Variant> {};
 TEST_P(KernelVariants, EveryTraversalGivesTheSameBits) {
   const TemporaryFolder folder;
   const Scene scene = write_scene(folder, GetParam());
-  const TriangleMesh mesh =
-      load_scene_mesh(scene, {.normals = true, .uvs = true, .materials = true, .groups = true});
+  const TriangleMesh mesh = load_scene_mesh(
+      scene, {.normals = true, .uvs = true, .materials = true, .groups = true}, scene.instancing);
   const Plan plan = make_plan(scene, mesh, true);
   const Bvh bvh = build_bvh(mesh);
   const std::vector<std::uint32_t> pixels = pixels_in_order(plan.window, plan.width);
