@@ -82,5 +82,19 @@ TEST_F(NothingLost, LostDeviceKeepsItsCheckpoint) {
   expect_same_picture("one.exr", "resumed.exr");
 }
 
+// A driver's thread that faults takes the process with it: what was saved stays, nothing half-written
+// appears.
+TEST_F(NothingLost, FaultInADriversThreadKeepsTheCheckpoint) {
+  succeed(long_render + " -o one.exr");
+  const std::string resumed = long_render + " --checkpoint c.nook --every 0 --resume -o resumed.exr";
+  ProgramSetting faulting = setting(resumed);
+  faulting.environment = {{"NOOK_OPENCL", NOOK_FAILING_OPENCL}, {"NOOK_FAULT_LAUNCH", "9"}};
+  EXPECT_NE(run_program(NOOK_PROGRAM, faulting).code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder / "resumed.exr"));
+  EXPECT_GT(samples_in(read_film_part(folder / "c.nook").held), 0u);
+  succeed(resumed);
+  expect_same_picture("one.exr", "resumed.exr");
+}
+
 }  // namespace
 }  // namespace nook::test
