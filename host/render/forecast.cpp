@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t run_length =
     64;  // pixels that are neighbours: rays as coherent as in the whole picture
-constexpr std::uint32_t samples_a_pass = 64;
+constexpr std::uint32_t samples_a_pass = 256;  // as a render's stages have for errors that take long
 // What the rules take beyond the samples that their target needs: stages are an eighth apart, and plans of a
 // pilot are on the safe side.
 constexpr double counts_surplus = 1.06, planned_surplus = 1.12;

@@ -26,14 +26,17 @@ double ReplicatedPilot::run(const std::function<bool()>& go_on, const Deadline::
   constexpr std::size_t least_stages = 3;
   std::size_t stage = 0;
   double began = clock(), samples = 0;
-  std::vector<double> rates;
+  struct Pace {
+    double samples, seconds;
+  };
+  std::vector<Pace> paces;
   // Background takes the first stage's samples and no more. (If there is nothing else, the rate is its.)
   const auto goes_on = [&](std::uint32_t p) {
     return stage == 0 || background_only_ || session_.films().front().hits[session_.film_index(p)] > 0;
   };
   const Session::Schedule next = [&](const Session&) -> SampleBoxes {
     if (stage > 0) remember();
-    if (stage > 1 || stage == stages_.size()) rates.push_back(samples / std::max(clock() - began, 1e-9));
+    if (stage > 1 || stage == stages_.size()) paces.push_back({samples, std::max(clock() - began, 1e-9)});
     if (stage == 1) background_only_ = std::none_of(positions_.begin(), positions_.end(), goes_on);
     if (stage == stages_.size() || (stage >= least_stages && !go_on())) return {};
     began = clock();
@@ -52,7 +55,12 @@ double ReplicatedPilot::run(const std::function<bool()>& go_on, const Deadline::
     return boxes;
   };
   session_.run(next, [] { return true; });
-  return median(rates);
+  // The last stages are the largest, as those are that a long render spends its time on: small ones leave
+  // threads idle.
+  Pace pace{0, 0};
+  for (std::size_t last = paces.size() > 3 ? paces.size() - 3 : 0; last < paces.size(); ++last)
+    pace = {pace.samples + paces[last].samples, pace.seconds + paces[last].seconds};
+  return pace.samples / pace.seconds;
 }
 
 void ReplicatedPilot::remember() {

@@ -20,8 +20,8 @@ class ReplicatedPilot {
   ReplicatedPilot(PathTracer& tracer, const Plan& plan, const ErrorTarget& target,
                   std::vector<std::uint32_t> positions);
 
-  /// Stage by stage until `go_on` says no, at least three. Camera samples a second, the median of the stages
-  /// but the first, which loads code.
+  /// Stage by stage until `go_on` says no, at least three. Camera samples a second, of the last three stages,
+  /// which are the largest.
   double run(const std::function<bool()>& go_on, const Deadline::Clock& clock);
 
   /// Mean camera samples a pixel for another error: the first stage at which its interval was narrow enough,
