@@ -57,6 +57,7 @@ PendingFile::~PendingFile() {
 
 void PendingFile::write(const void* data, std::size_t bytes) {
   if (error_) fail(error_);
+  if (bytes == 0) return;  // an empty vector's data may be null, which fwrite must not be given
   errno = 0;
   if (std::fwrite(data, 1, bytes, stream_) != bytes) fail(errno ? errno : EIO);
   position_ += bytes;
