@@ -40,7 +40,7 @@ void main() {
     if (end[i] == 0.0) continue;
     float at = 1.0 / abs(face[i]), from = at, to = max(end[i], at + thickness);
     if (face[i] < 0.0) {
-      from = at - thickness;
+      from = max(at - thickness, 1e-30);  // not behind the eye
       to = at;
     }
     if (endless && i == count - 1) to = 1e30;

@@ -49,9 +49,7 @@ Bvh build_some(const TriangleMesh& mesh, std::span<const std::uint32_t> triangle
     some.triangles.push_back({first, first + 1, first + 2});
   }
   Bvh bvh = build(some, options);
-  for (TriangleLeaf& leaf : bvh.leaves)
-    for (nook_uint& triangle : leaf.triangle)
-      if (triangle != BVH_EMPTY) triangle = triangles[triangle];
+  rename_triangles(bvh, triangles);
   return bvh;
 }
 

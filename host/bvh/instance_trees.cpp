@@ -42,9 +42,7 @@ Bvh tree_over(const std::vector<Bounds3>& boxes, const std::vector<nook_uint>& n
     stand_ins.triangles.push_back({first, first + 1, first + 2});
   }
   Bvh bvh = build_bvh(stand_ins, options);
-  for (TriangleLeaf& leaf : bvh.leaves)
-    for (nook_uint& name : leaf.triangle)
-      if (name != BVH_EMPTY) name = names[name];
+  rename_triangles(bvh, names);
   return bvh;
 }
 
@@ -62,6 +60,12 @@ nook_uint append_tree(Bvh& whole, Bvh&& part) {
 }
 
 }  // namespace
+
+void rename_triangles(Bvh& bvh, std::span<const nook_uint> names) {
+  for (TriangleLeaf& leaf : bvh.leaves)
+    for (nook_uint& name : leaf.triangle)
+      if (name != BVH_EMPTY) name = names[name];
+}
 
 Bvh join_trees(const TriangleMesh& mesh, std::vector<Bvh> parts, const BvhOptions& options) {
   std::vector<Bounds3> boxes;

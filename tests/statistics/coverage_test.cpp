@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <fstream>
 #include <thread>
 
 #include "bvh/bvh.hpp"
@@ -17,6 +16,7 @@
 #include "render/adaptive.hpp"
 #include "render/forecast.hpp"
 #include "scene/names.hpp"
+#include "support/ceiling.hpp"
 #include "support/kernels.hpp"
 #include "temporary_folder.hpp"
 
@@ -30,12 +30,7 @@ class CoverageTest : public ::testing::Test {
  protected:
   // The ceiling's half width, 25, is beyond the reach of every ray here.
   void SetUp() override {
-    std::ofstream obj(folder_.path() / "ceiling.obj");
-    for (const char* height : {"0", "1"})
-      obj << "v -25 " << height << " -25\nv 25 " << height << " -25\nv 25 " << height << " 25\nv -25 "
-          << height << " 25\n";
-    obj << "f 4 3 2 1\nf 5 6 7 8\n";
-    obj.close();
+    test::write_floor_and_ceiling(folder_.path() / "ceiling.obj");
     mesh_ = load_obj(folder_.path() / "ceiling.obj");
     bvh_ = build_bvh(mesh_);
   }

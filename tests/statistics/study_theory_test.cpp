@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <map>
 #include <numbers>
@@ -12,6 +11,7 @@
 
 #include "mesh/obj_loader.hpp"
 #include "report/study_methods.hpp"
+#include "support/ceiling.hpp"
 #include "support/kernels.hpp"
 #include "temporary_folder.hpp"
 
@@ -21,12 +21,7 @@ namespace {
 class StudyTheory : public ::testing::Test {
  protected:
   void SetUp() override {
-    std::ofstream obj(folder_.path() / "ceiling.obj");
-    for (const char* height : {"0", "1"})
-      obj << "v -25 " << height << " -25\nv 25 " << height << " -25\nv 25 " << height << " 25\nv -25 "
-          << height << " 25\n";
-    obj << "f 4 3 2 1\nf 5 6 7 8\n";
-    obj.close();
+    test::write_floor_and_ceiling(folder_.path() / "ceiling.obj");
     mesh_ = load_obj(folder_.path() / "ceiling.obj");
     bvh_ = build_bvh(mesh_);
   }
