@@ -6,6 +6,7 @@
 
 #include "shared/bvh.h"
 #include "shared/instance.h"
+#include "lane_lists.cl"
 #include "stream_rays.cl"
 
 #if INSTANCES
@@ -16,12 +17,6 @@ float3 placed_point(__global const PlacedMesh* mesh, float3 p) {
   return (float3)(PLACED(mesh->point[0], p.x, p.y, p.z), PLACED(mesh->point[1], p.x, p.y, p.z),
                   PLACED(mesh->point[2], p.x, p.y, p.z));
 }
-
-// A node of any of the trees: its children's boxes in the world, and the placed mesh that each of them is in.
-typedef struct {
-  BvhNode node;
-  uint instance[BVH_WIDTH];
-} OpenedNode;
 
 // One coordinate of a box's lower (or, `upper`, its upper) corner after placing. Within the box each fma of PLACED is least at the
 // corner that the signs of the row choose; all its vertices are placed by PLACED too, so none lies below. Then grown by an ulp or
@@ -38,17 +33,16 @@ INLINE float16 placed_planes(__global const BvhNode* node, __global const float*
 }
 
 INLINE void open_placed_node(OpenedNode* opened, __global const BvhNode* node, __global const PlacedMesh* mesh, uint instance) {
-  const uint16 child = vload16(0, node->child);
   // A slot without a child has infinite planes, and 0 times them would be NaN: those of x alone keep every ray out.
-  const int16 empty = child == BVH_EMPTY;
+  const int16 empty = LANE_NUMBERS >= BVH_CHILDREN(node);
   const float16 lo = placed_planes(node, mesh->point[0], false), hi = placed_planes(node, mesh->point[0], true);
-  STORE_FLOATS(opened->node.lo[0], empty ? (float16)(INFINITY) : lo);
-  STORE_FLOATS(opened->node.hi[0], empty ? (float16)(-INFINITY) : hi);
+  STORE_FLOATS(opened->lo[0], empty ? (float16)(INFINITY) : lo);
+  STORE_FLOATS(opened->hi[0], empty ? (float16)(-INFINITY) : hi);
   for (uint axis = 1; axis < 3; ++axis) {
-    STORE_FLOATS(opened->node.lo[axis], placed_planes(node, mesh->point[axis], false));
-    STORE_FLOATS(opened->node.hi[axis], placed_planes(node, mesh->point[axis], true));
+    STORE_FLOATS(opened->lo[axis], placed_planes(node, mesh->point[axis], false));
+    STORE_FLOATS(opened->hi[axis], placed_planes(node, mesh->point[axis], true));
   }
-  STORE_UINTS(opened->node.child, child);
+  STORE_UINTS(opened->child, child_items(node));
   STORE_UINTS(opened->instance, (uint16)(instance));
 }
 
@@ -58,13 +52,13 @@ INLINE void open_instances(OpenedNode* opened, __global const TriangleLeaf* leaf
   for (uint axis = 0; axis < 3; ++axis)
     for (uint lane = 0; lane < BVH_WIDTH; ++lane) {
       const bool used = lane < BVH_LEAF_WIDTH && leaf->triangle[lane] != BVH_EMPTY;
-      opened->node.lo[axis][lane] = used ? leaf->p[0][axis][lane] : INFINITY;
-      opened->node.hi[axis][lane] = used ? leaf->p[1][axis][lane] : -INFINITY;
+      opened->lo[axis][lane] = used ? leaf->p[0][axis][lane] : INFINITY;
+      opened->hi[axis][lane] = used ? leaf->p[1][axis][lane] : -INFINITY;
     }
   for (uint lane = 0; lane < BVH_WIDTH; ++lane) {
     const bool used = lane < BVH_LEAF_WIDTH && leaf->triangle[lane] != BVH_EMPTY;
     opened->instance[lane] = used ? leaf->triangle[lane] : NO_INSTANCE;
-    opened->node.child[lane] = used ? instances[leaf->triangle[lane]].root : BVH_EMPTY;
+    opened->child[lane] = used ? instances[leaf->triangle[lane]].root : BVH_EMPTY;
   }
 }
 
@@ -76,7 +70,12 @@ INLINE void open_node(OpenedNode* opened, __global const BvhNode* nodes, __globa
   } else if (item & BVH_LEAF) {
     open_instances(opened, &leaves[item & ~BVH_LEAF], instances);
   } else {
-    opened->node = nodes[item];
+    __global const BvhNode* node = &nodes[item];
+    for (uint axis = 0; axis < 3; ++axis) {
+      STORE_FLOATS(opened->lo[axis], vload16(0, node->lo[axis]));
+      STORE_FLOATS(opened->hi[axis], vload16(0, node->hi[axis]));
+    }
+    STORE_UINTS(opened->child, child_items(node));
     STORE_UINTS(opened->instance, (uint16)(NO_INSTANCE));
   }
 }

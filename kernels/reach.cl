@@ -25,6 +25,7 @@
 
 #include "config.h"
 #include "shared/task.h"
+#include "lane_lists.cl"
 #include "traverse.cl"
 
 #define REACH_HORIZON 1e-3f
@@ -96,7 +97,7 @@ INLINE Reach reach_of(const RayDirections* origins, const RayDirections* d, uint
   const REACH_INT out = (apart > limit * limit) | (high < height - r->of_vertices * a - (of_place));
 
 // The children of a node that may be in reach; `inside`: one of them surely is, for a whole side of its box is, which a triangle touches.
-INLINE uint children_in_reach(TREE_SPACE const BvhNode* node, const Reach* r, bool* inside) {
+INLINE uint children_in_reach(TREE_NODE* node, const Reach* r, bool* inside) {
 #define REACH_FLOAT float16
 #define REACH_INT int16
   float16 apart = 0.0f, gap = 0.0f, size = 0.0f, extent = 0.0f;
@@ -119,7 +120,7 @@ INLINE uint children_in_reach(TREE_SPACE const BvhNode* node, const Reach* r, bo
   AXIS(z, 2)
 #undef AXIS
   OUT_OF_REACH(r->of_place * size)
-  const uint filled = NONZERO_LANES(vload16(0, node->child) != BVH_EMPTY);
+  const uint filled = NONZERO_LANES(vload16(0, node->lo[0]) < INFINITY);
   *inside = (NONZERO_LANES((beyond < r->farthest * r->farthest) & (low + rise > 0.0f)) & filled) != 0;
   return NONZERO_LANES(out == 0) & filled;
 #undef REACH_FLOAT
@@ -175,9 +176,9 @@ bool in_reach(__global const BvhNode* nodes, __global const TriangleLeaf* leaves
     OpenedNode opened;
     open_node(&opened, nodes, leaves, instances, item, instance);
     bool inside;
-    const uint lanes = children_in_reach(&opened.node, r, &inside);
+    const uint lanes = children_in_reach(&opened, r, &inside);
     if (inside) return true;
-    APPEND_LANES(stack + size, vload16(0, opened.node.child), lanes);
+    APPEND_LANES(stack + size, vload16(0, opened.child), lanes);
     APPEND_LANES(stack_instance + size, vload16(0, opened.instance), lanes);
     size += popcount(lanes);
   }
@@ -201,8 +202,7 @@ bool in_reach(__global const BvhNode* nodes, __global const TriangleLeaf* leaves
     bool inside;
     const uint lanes = children_in_reach(node, r, &inside);
     if (inside) return true;
-    APPEND_LANES(stack + size, vload16(0, node->child), lanes);
-    size += popcount(lanes);
+    size += append_children(stack + size, node, lanes);
   }
   return false;
 }

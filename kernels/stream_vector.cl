@@ -69,44 +69,65 @@ int or_lanes(int16 v) { return or_8_lanes(v.lo | v.hi); }
   {}
 #endif
 
+#define LANE_NUMBERS (uint16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15)
 #define LANE_BITS (int16)(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768)
 
-#if STREAM_AVX512
-
-// vstore16 becomes three stores there; an unaligned vector is one.
+// PoCL makes three stores of a vstore16; a vector without alignment is one.
 typedef struct __attribute__((packed)) {
   float16 v;
 } UnalignedFloats;
 typedef struct __attribute__((packed)) {
   uint16 v;
 } UnalignedUints;
+typedef struct __attribute__((packed)) {
+  uint8 v;
+} UnalignedUints8;
 #define STORE_FLOATS(to, value) ((UnalignedFloats*)(to))->v = (value)
 #define STORE_UINTS(to, value) ((UnalignedUints*)(to))->v = (value)
+#define STORE_UINTS8(to, value) ((UnalignedUints8*)(to))->v = (value)
+
+#if STREAM_AVX512
+
 #define LOWEST_BIT(mask) ((uint)__builtin_ctz(mask))
 // Bit i: lane i is not 0.
 #define NONZERO_LANES(v) ((uint)__builtin_ia32_cmpd512_mask((v), (int16)(0), 4, (ushort)0xffff))
+// The lanes that a comparison holds for (-1; the others 0), to be made a mask later.
+typedef ushort KeptLanes;
+#define KEEP_LANES(to, v) *(to) = (ushort)NONZERO_LANES(v)
+#define KEPT_MASK(lanes) ((uint)(lanes))
 // The chosen lanes of a uint16, one after another; up to 16 words behind them are overwritten.
 #define APPEND_LANES(to, v, lanes) \
   STORE_UINTS(to, as_uint16(__builtin_ia32_compresssi512_mask(as_int16(v), as_int16(v), (ushort)(lanes))))
 
 #else
 
-#define STORE_FLOATS(to, value) vstore16(value, 0, to)
-#define STORE_UINTS(to, value) vstore16(value, 0, to)
 #define LOWEST_BIT(mask) lowest_bit(mask)
 
 uint nonzero_lanes(int16 v) {
   return (uint)or_lanes((v != 0) & LANE_BITS);
 }
 
-void append_lanes(uint* to, uint16 v, uint lanes) {
-  uint lane_value[BVH_WIDTH];
-  vstore16(v, 0, lane_value);
-  for (; lanes; lanes &= lanes - 1) *to++ = lane_value[lowest_bit(lanes)];
+void append_words(uint* to, uint16 v, uint lanes) {
+  uint word[BVH_WIDTH];
+  vstore16(v, 0, word);
+  for (; lanes; lanes &= lanes - 1) *to++ = word[lowest_bit(lanes)];
 }
 
 #define NONZERO_LANES(v) nonzero_lanes(v)
-#define APPEND_LANES(to, v, lanes) append_lanes(to, v, lanes)
+
+typedef struct {
+  ulong low, high;  // a byte a lane
+} KeptLanes;
+typedef struct __attribute__((packed)) {
+  char16 v;
+} UnalignedBytes;
+#define KEEP_LANES(to, lanes) ((UnalignedBytes*)(to))->v = convert_char16(lanes)
+
+// Of byte i its bit i; the product adds all of them up in the highest byte.
+uint mask_of_bytes(ulong bytes) { return (uint)((bytes & 0x8040201008040201ul) * 0x0101010101010101ul >> 56); }
+
+#define KEPT_MASK(lanes) (mask_of_bytes((lanes).low) | mask_of_bytes((lanes).high) << 8)
+#define APPEND_LANES(to, v, lanes) append_words(to, v, lanes)
 
 #endif
 

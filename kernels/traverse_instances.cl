@@ -39,10 +39,10 @@ uint stream_occluded(BVH_PARAMS, const RayDirections* origins, const RayDirectio
       for (; rest; rest &= rest - 1) {
         const uint k = LOWEST_BIT(rest);
         float16 entry;
-        met |= enter_children(&opened.node, &rays, k, max_distance, &entry) & (int16)(int)(1u << k);
+        met |= enter_children(&opened, &rays, k, max_distance, &entry) & (int16)(int)(1u << k);
       }
       const uint lanes = NONZERO_LANES(met);
-      APPEND_LANES(stack_item + size, vload16(0, opened.node.child), lanes);
+      APPEND_LANES(stack_item + size, vload16(0, opened.child), lanes);
       APPEND_LANES(stack_rays + size, as_uint16(met), lanes);
       APPEND_LANES(stack_instance + size, vload16(0, opened.instance), lanes);
       for (const uint end = size + popcount(lanes); size < end; ++size) PREFETCH_ITEM(stack_item[size])
@@ -92,7 +92,7 @@ void stream_closest(BVH_PARAMS, const RayDirections* origins, const RayDirection
     for (uint rest = waiting; rest; rest &= rest - 1) {
       const uint k = LOWEST_BIT(rest);
       float16 entry;
-      const int16 hit = enter_children(&opened.node, &rays, k, t[k], &entry);
+      const int16 hit = enter_children(&opened, &rays, k, t[k], &entry);
       met |= hit & (int16)(int)(1u << k);
       entry = hit ? entry : (float16)(INFINITY);
       nearest = entry < nearest ? entry : nearest;
@@ -104,7 +104,7 @@ void stream_closest(BVH_PARAMS, const RayDirections* origins, const RayDirection
     const uint first = size;
     for (uint lanes = NONZERO_LANES(met); lanes; lanes &= lanes - 1) {
       const uint lane = LOWEST_BIT(lanes);
-      PREFETCH_ITEM(opened.node.child[lane])
+      PREFETCH_ITEM(opened.child[lane])
       uint place = size++;  // insertion keeps the nearest on top
       for (; place > first && stack_entry[place - 1] < lane_entry[lane]; --place) {
         stack_item[place] = stack_item[place - 1];
@@ -112,7 +112,7 @@ void stream_closest(BVH_PARAMS, const RayDirections* origins, const RayDirection
         stack_instance[place] = stack_instance[place - 1];
         stack_entry[place] = stack_entry[place - 1];
       }
-      stack_item[place] = opened.node.child[lane];
+      stack_item[place] = opened.child[lane];
       stack_rays[place] = lane_rays[lane];
       stack_instance[place] = opened.instance[lane];
       stack_entry[place] = lane_entry[lane];

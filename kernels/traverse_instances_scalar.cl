@@ -32,8 +32,8 @@ bool open_child(__global const BvhNode* nodes, __global const TriangleLeaf* leav
     return true;
   }
   __global const BvhNode* node = &nodes[item];
-  *child = node->child[lane];
-  if (*child == BVH_EMPTY) return false;
+  if (lane >= BVH_CHILDREN(node)) return false;
+  *child = BVH_ITEM(node, lane);
   if (instance == NO_INSTANCE) {
     *lo = (float3)(node->lo[0][lane], node->lo[1][lane], node->lo[2][lane]);
     *hi = (float3)(node->hi[0][lane], node->hi[1][lane], node->hi[2][lane]);

@@ -194,7 +194,7 @@ void packet_closest(BVH_PARAMS, const StreamRays* r, const Packet* p, uint activ
         const uint lane = LOWEST_BIT(lanes);
         const uint met = rays_met(node, lane, r, p, rays, t);
         if (!met) continue;
-        const uint child = node->child[lane];
+        const uint child = BVH_ITEM(node, lane);
         PREFETCH_ITEM(child)
         uint place = size++;  // insertion keeps the nearest on top
         for (; place > first && stack_entry[place - 1] < lane_entry[lane]; --place) {

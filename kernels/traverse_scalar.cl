@@ -32,8 +32,8 @@ bool occluded_ray(BVH_PARAMS, float3 o, float3 d, float max_distance) {
       }
     } else {
       __global const BvhNode* node = &nodes[item];
-      for (uint lane = 0; lane < BVH_WIDTH && node->child[lane] != BVH_EMPTY; ++lane)
-        if (enter_child(node, lane, o, inverse, max_distance) < INFINITY) stack[size++] = node->child[lane];
+      for (uint lane = 0; lane < BVH_CHILDREN(node); ++lane)
+        if (enter_child(node, lane, o, inverse, max_distance) < INFINITY) stack[size++] = BVH_ITEM(node, lane);
     }
   }
   return false;
@@ -70,7 +70,7 @@ bool closest_ray(BVH_PARAMS, float3 o, float3 d, float* t, uint* triangle, float
     } else {
       __global const BvhNode* node = &nodes[item];
       const uint first = size;
-      for (uint lane = 0; lane < BVH_WIDTH && node->child[lane] != BVH_EMPTY; ++lane) {
+      for (uint lane = 0; lane < BVH_CHILDREN(node); ++lane) {
         const float enter = enter_child(node, lane, o, inverse, *t);
         if (!(enter < INFINITY)) continue;
         // Insertion keeps the nearest child on top.
@@ -79,7 +79,7 @@ bool closest_ray(BVH_PARAMS, float3 o, float3 d, float* t, uint* triangle, float
           stack[place] = stack[place - 1];
           entry[place] = entry[place - 1];
         }
-        stack[place] = node->child[lane];
+        stack[place] = BVH_ITEM(node, lane);
         entry[place] = enter;
       }
     }

@@ -17,7 +17,7 @@ struct BvhOptions {
 
 // The kernels' layout: no padding anywhere.
 static_assert(sizeof(BvhNode) == 7 * BVH_WIDTH * 4 && offsetof(BvhNode, hi) == 3 * BVH_WIDTH * 4 &&
-              offsetof(BvhNode, child) == 6 * BVH_WIDTH * 4);
+              offsetof(BvhNode, nodes) == 6 * BVH_WIDTH * 4);
 static_assert(sizeof(TriangleLeaf) == 10 * BVH_LEAF_WIDTH * 4 &&
               offsetof(TriangleLeaf, triangle) == 9 * BVH_LEAF_WIDTH * 4);
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
+#include "base/error.hpp"
 #include "bvh/choices.hpp"
 
 namespace nook {
@@ -13,12 +15,11 @@ constexpr std::uint32_t task_size = 8192;  // triangles of a subtree that is a t
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 BvhNode empty_node() {
-  BvhNode node;
+  BvhNode node = {};
   for (int axis = 0; axis < 3; ++axis) {
     std::fill_n(node.lo[axis], BVH_WIDTH, infinity);
     std::fill_n(node.hi[axis], BVH_WIDTH, -infinity);
   }
-  std::fill_n(node.child, BVH_WIDTH, BVH_EMPTY);
   return node;
 }
 
@@ -63,6 +64,9 @@ class Collapser {
     std::size_t task = 0;
     Place all = below_above(0, task);
     ++all.nodes;
+    if (std::max(all.nodes, all.leaves) > BVH_FIRST(~0u))
+      throw Error(ExitCode::device,
+                  "too many triangles for one tree: " + std::to_string(tree_.triangles.size()));
     bvh_.nodes.resize(all.nodes);
     bvh_.leaves.resize(all.leaves);
     Place next = {1, 0};
@@ -164,6 +168,7 @@ class Collapser {
     const Choices::Children children = sorted_children(job.root);
     std::vector<Job> open;
     BvhNode made = empty_node();
+    const Place first = next;
     for (std::uint32_t i = 0; i < children.count; ++i) {
       const std::uint32_t child = children.roots[i];
       const BinaryNode& node = tree_.nodes[child];
@@ -175,13 +180,13 @@ class Collapser {
       if (root_area > 0)
         statistics.sah_cost += (as_leaf ? bvh_leaf_cost : bvh_node_cost) * node.half_area() / root_area;
       if (as_leaf) {
-        bvh_.leaves[next.leaves] = make_leaf(child);
-        made.child[i] = next.leaves++ | BVH_LEAF;
+        bvh_.leaves[next.leaves++] = make_leaf(child);
       } else {
-        made.child[i] = next.nodes;
         open.push_back({child, job.depth + 1, next.nodes++, {}});
       }
     }
+    made.nodes = BVH_RANGE(first.nodes, next.nodes - first.nodes);
+    made.leaves = BVH_RANGE(first.leaves, next.leaves - first.leaves);
     bvh_.nodes[job.target] = made;
     return open;
   }

@@ -16,7 +16,7 @@ constexpr float infinity = std::numeric_limits<float>::infinity(),
 // Grown by an ulp as theirs are, and finite as its vertices are.
 Bounds3 box_of(const PlacedMesh& place, const BvhNode& root) {
   Bounds3 box;
-  for (int lane = 0; lane < BVH_WIDTH && root.child[lane] != BVH_EMPTY; ++lane) {
+  for (int lane = 0; lane < int(BVH_CHILDREN(&root)); ++lane) {
     Bounds3 child;
     for (int axis = 0; axis < 3; ++axis) {
       child.lo[axis] = root.lo[axis][lane];
@@ -50,8 +50,8 @@ Bvh tree_over(const std::vector<Bounds3>& boxes, const std::vector<nook_uint>& n
 nook_uint append_tree(Bvh& whole, Bvh&& part) {
   const auto first_node = nook_uint(whole.nodes.size()), first_leaf = nook_uint(whole.leaves.size());
   for (BvhNode node : part.nodes) {
-    for (nook_uint& child : node.child)
-      if (child != BVH_EMPTY) child += child & BVH_LEAF ? first_leaf : first_node;
+    node.nodes += first_node;
+    node.leaves += first_leaf;
     whole.nodes.push_back(node);
   }
   whole.leaves.insert(whole.leaves.end(), part.leaves.begin(), part.leaves.end());
@@ -73,7 +73,7 @@ Bvh join_trees(const TriangleMesh& mesh, std::vector<Bvh> parts, const BvhOption
   for (std::size_t i = 0; i < mesh.instances.size(); ++i) {
     const TriangleMesh::Instance& instance = mesh.instances[i];
     const BvhNode& root = parts[instance.part].nodes.front();
-    if (root.child[0] == BVH_EMPTY) continue;
+    if (BVH_CHILDREN(&root) == 0) continue;
     boxes.push_back(box_of(instance.place, root));
     names.push_back(nook_uint(i));
   }

@@ -12,8 +12,8 @@
 
 #define BVH_WIDTH 16           // children of a node
 #define BVH_LEAF_WIDTH 8       // triangles of a leaf: 8 or 16
-#define BVH_LEAF 0x80000000u   // in BvhNode.child: the rest is an index into the leaves, not the nodes
-#define BVH_EMPTY 0xffffffffu  // no child: its box is (+inf, -inf), which no ray meets
+#define BVH_LEAF 0x80000000u   // in an item that a traversal visits: the rest is an index into the leaves, not the nodes
+#define BVH_EMPTY 0xffffffffu  // no item, no triangle
 #define BVH_MAX_DEPTH 33       // levels of nodes that the builder may make
 // A popped node pushes BVH_WIDTH children at most, so each level keeps BVH_WIDTH - 1 entries waiting. With INSTANCES a mesh's tree
 // stands on a leaf of the tree over the instances, which pushes BVH_LEAF_WIDTH of them: on the level below its last nodes.
@@ -24,16 +24,28 @@
 #endif
 #define BVH_STACK_SIZE (BVH_TREES * BVH_MAX_DEPTH * (BVH_WIDTH - 1) + 1)
 
-// Read as:
+// Seven cache lines. Read as:
 //   for axis, lane: enter = ((d[axis] < 0 ? hi : lo)[axis][lane] - origin[axis]) / d[axis] ...
-//   if (child[lane] & BVH_LEAF) visit leaves[child[lane] & ~BVH_LEAF] else visit nodes[child[lane]]
-// The boxes contain their triangles strictly (grown by one ulp). Filled slots come first; among them nodes precede
-// leaves, each by rising area: pushed in this order, the stack pops the leaves first, then the largest nodes.
+//   the lanes from 0 on are nodes: those of `nodes`; then come leaves: those of `leaves`
+// The boxes contain their triangles strictly (grown by one ulp); a lane without a child has (+inf, -inf), which no ray meets.
+// Nodes and leaves come by rising area: pushed in this order, a stack pops the largest first.
 typedef struct {
   float lo[3][BVH_WIDTH];  // world units
   float hi[3][BVH_WIDTH];
-  nook_uint child[BVH_WIDTH];
+  nook_uint nodes;   // BVH_RANGE of Bvh::nodes
+  nook_uint leaves;  // BVH_RANGE of Bvh::leaves
+  nook_uint unused[BVH_WIDTH - 2];
 } BvhNode;
+
+// Up to BVH_WIDTH neighbours in an array of up to 2^27: the first and how many.
+#define BVH_RANGE(first, count) ((nook_uint)(first) | (nook_uint)(count) << 27)
+#define BVH_FIRST(range) ((range) & 0x7ffffffu)
+#define BVH_COUNT(range) ((range) >> 27)
+// The children of a node, and what a traversal visits for one of them.
+#define BVH_CHILDREN(node) (BVH_COUNT((node)->nodes) + BVH_COUNT((node)->leaves))
+#define BVH_ITEM(node, lane)                                                        \
+  ((lane) < BVH_COUNT((node)->nodes) ? BVH_FIRST((node)->nodes) + (lane)            \
+                                     : BVH_LEAF | (BVH_FIRST((node)->leaves) + (lane) - BVH_COUNT((node)->nodes)))
 
 // Read as:
 //   for lane: intersect the triangle (p[0][.][lane], p[1][.][lane], p[2][.][lane]), which is mesh triangle[lane]
@@ -76,19 +88,26 @@ typedef struct {
 // Nodes and leaves as the tests of rays take them: with INSTANCES a traversal moves them into the world first.
 #if INSTANCES
 typedef struct {
+  float lo[3][BVH_WIDTH];     // as in BvhNode
+  float hi[3][BVH_WIDTH];
+  uint child[BVH_WIDTH];      // BVH_ITEM, or BVH_EMPTY
+  uint instance[BVH_WIDTH];   // the placed mesh that the child is in
+} OpenedNode;
+typedef struct {
   float p[3][3][BVH_LEAF_WIDTH];         // as in TriangleLeaf
   nook_uint triangle[BVH_LEAF_WIDTH];    // the number in the scene
   nook_uint stored[BVH_LEAF_WIDTH];      // in the mesh buffers
 } PlacedLeaf;
 #define TREE_SPACE __private
+#define TREE_NODE TREE_SPACE const OpenedNode
 #define TREE_LEAF TREE_SPACE const PlacedLeaf
 #define STORED_TRIANGLE(leaf, lane) (leaf)->stored[lane]
 #else
 #define TREE_SPACE __global
+#define TREE_NODE TREE_SPACE const BvhNode
 #define TREE_LEAF TREE_SPACE const TriangleLeaf
 #define STORED_TRIANGLE(leaf, lane) (leaf)->triangle[lane]
 #endif
-#define TREE_NODE TREE_SPACE const BvhNode
 #define TREE_FLOATS TREE_SPACE const float
 #endif
 
