@@ -1,11 +1,12 @@
-// The lanes of a mask as a list, without a branch: the steps of a vector unit's compress instruction, in plain OpenCL C.
+// The lanes of a mask as a list, without a branch: by the processor's compress instruction, or from a table.
 #ifndef NOOK_LANE_LISTS_CL
 #define NOOK_LANE_LISTS_CL
 
 #include "stream_vector.cl"
 
-// Of a mask m of 8 lanes: its lanes, lowest first, as bytes of a word. Byte i holds the lane b with bit b of m set and i bits set below it:
-//   sum over the set bits b of  b << 8 bits_below(m, b)
+#if !STREAM_AVX512
+// Of a mask m of 8 lanes: its lanes, lowest first, as the bytes of a word (of a little-endian device, as CPU devices are):
+//   sum over the set bits b of  b << 8 (number of set bits below b)
 #define BIT(m, b) ((m) >> (b) & 1ul)
 #define BITS_BELOW_3(m) (BIT(m, 0) + BIT(m, 1) + BIT(m, 2))
 #define BITS_BELOW_5(m) (BITS_BELOW_3(m) + BIT(m, 3) + BIT(m, 4))
@@ -19,6 +20,7 @@
 #define LISTS_16(m) LISTS_4(m), LISTS_4(m + 4ul), LISTS_4(m + 8ul), LISTS_4(m + 12ul)
 #define LISTS_64(m) LISTS_16(m), LISTS_16(m + 16ul), LISTS_16(m + 32ul), LISTS_16(m + 48ul)
 __constant ulong LANE_LISTS[256] = {LISTS_64(0ul), LISTS_64(64ul), LISTS_64(128ul), LISTS_64(192ul)};
+#endif
 
 // Appends first + step * lane for each of 16 lanes that is set, lowest first; returns how many. Up to 16 words behind them are overwritten.
 INLINE uint append_lanes(uint* to, uint first, uint step, uint lanes) {

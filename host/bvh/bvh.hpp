@@ -42,6 +42,10 @@ struct Bvh {
   }
 };
 
+/// Throws Error(device) if the arrays are longer than a node can point into: 2^27, of some 600 million
+/// triangles.
+void check_bvh_size(std::size_t nodes, std::size_t leaves);
+
 /// Builds over all triangles of non-zero extent and finite vertices. Deterministic: the same mesh gives the
 /// same bytes whatever the thread count. Throws Error(device) if memory runs out.
 Bvh build_bvh(const TriangleMesh& mesh, const BvhOptions& options = {});

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 
-#include "base/error.hpp"
 #include "bvh/choices.hpp"
 
 namespace nook {
@@ -64,9 +62,7 @@ class Collapser {
     std::size_t task = 0;
     Place all = below_above(0, task);
     ++all.nodes;
-    if (std::max(all.nodes, all.leaves) > BVH_FIRST(~0u))
-      throw Error(ExitCode::device,
-                  "too many triangles for one tree: " + std::to_string(tree_.triangles.size()));
+    check_bvh_size(all.nodes, all.leaves);
     bvh_.nodes.resize(all.nodes);
     bvh_.leaves.resize(all.leaves);
     Place next = {1, 0};

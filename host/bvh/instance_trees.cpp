@@ -49,6 +49,7 @@ Bvh tree_over(const std::vector<Bounds3>& boxes, const std::vector<nook_uint>& n
 // Appends a tree and says where its root is; what it had is freed.
 nook_uint append_tree(Bvh& whole, Bvh&& part) {
   const auto first_node = nook_uint(whole.nodes.size()), first_leaf = nook_uint(whole.leaves.size());
+  check_bvh_size(whole.nodes.size() + part.nodes.size(), whole.leaves.size() + part.leaves.size());
   for (BvhNode node : part.nodes) {
     node.nodes += first_node;
     node.leaves += first_leaf;

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <random>
 
+#include "base/error.hpp"
 #include "bvh/bvh.hpp"
 
 namespace nook {
@@ -163,6 +164,12 @@ TEST(BvhBuild, OfNothingIsARootWithoutChildren) {
   ASSERT_EQ(bvh.nodes.size(), 1u);
   EXPECT_FALSE(bvh.leaves.empty());
   EXPECT_EQ(BVH_CHILDREN(&bvh.nodes[0]), 0u);
+}
+
+TEST(BvhBuild, RefusesMoreThanANodeCanPointTo) {
+  EXPECT_NO_THROW(check_bvh_size(BVH_FIRST(~0u), BVH_FIRST(~0u)));
+  EXPECT_THROW(check_bvh_size(1, std::size_t(BVH_FIRST(~0u)) + 1), Error);
+  EXPECT_THROW(check_bvh_size(std::size_t(BVH_FIRST(~0u)) + 1, 1), Error);
 }
 
 TEST(BvhBuild, NeedsAtMost80BytesATriangle) {
