@@ -2,7 +2,10 @@
 // pictures are tiny, so that an interpreter can run them too (tests/tools/oclgrind_kernels.sh).
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <cctype>
+#include <cmath>
 #include <numeric>
 
 #include "bvh/bvh.hpp"
@@ -66,7 +69,24 @@ std::vector<Variant> variants() {
   return all;
 }
 
-/// A tilted floor with a normal of its own under a plate with a hole.
+/// A wavy floor with a normal of its own under a plate with a hole. Of so many triangles that the tree has nodes
+/// below its root: a tree of one node is traversed in another way.
+constexpr int floor_side = 12;  // quads
+std::string floor_faces() {
+  std::string text;
+  for (int y = 0; y <= floor_side; ++y)
+    for (int x = 0; x <= floor_side; ++x)
+      text += fmt::format("v {} {} {}\n", 4.0 * x / floor_side - 2, 4.0 * y / floor_side - 2,
+                          0.05 * std::sin(1.7 * x) * std::cos(1.3 * y));
+  constexpr int row = floor_side + 1;
+  for (int y = 0; y < floor_side; ++y)
+    for (int x = 0; x < floor_side; ++x) {
+      const int corner = y * row + x + 1;
+      text += fmt::format("f {}/1/1 {}/2/1 {}/3/1 {}/4/1\n", corner, corner + 1, corner + row + 1, corner + row);
+    }
+  return text;
+}
+
 Scene write_scene(const TemporaryFolder& folder, const Variant& variant) {
   write_bytes(folder / "mesh.mtl",
               "newmtl shiny\nNs 30\nKs 1 1 1\nnewmtl leaf\nNs 4\nKs 1 1 1\nmap_d hole.png\n");
@@ -80,9 +100,10 @@ Scene write_scene(const TemporaryFolder& folder, const Variant& variant) {
   write_png(folder / "hole.png", hole);
   write_bytes(
       folder / "mesh.obj",
-      "mtllib mesh.mtl\nvn 0 0.1 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\ng floor\nusemtl shiny\nv -2 -2 0\nv 2 -2 "
-      "0.1\nv 2 2 0\nv -2 2 -0.1\nf 1/1/1 2/2/1 3/3/1 4/4/1\ng plate\nusemtl leaf\nv -0.5 -0.5 0.4\nv 0.5 "
-      "-0.5 0.4\nv 0.5 0.5 0.5\nv -0.5 0.5 0.5\nf 5/1 6/2 7/3 8/4\n");
+      "mtllib mesh.mtl\nvn 0 0.1 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\ng floor\nusemtl shiny\n" +
+          floor_faces() +
+          "g plate\nusemtl leaf\nv -0.5 -0.5 0.4\nv 0.5 -0.5 0.4\nv 0.5 0.5 0.5\nv -0.5 0.5 0.5\n"
+          "f -4/1 -3/2 -2/3 -1/4\n");
   const std::string spp = std::string(variant.keys).find("spp") == std::string::npos ? "spp = 2\n" : "";
   write_bytes(folder / "scene.toml",
               std::string("[input]\nobjfile = \"mesh.obj\"\n") + variant.input +
@@ -101,6 +122,7 @@ TEST_P(KernelVariants, EveryTraversalGivesTheSameBits) {
       scene, {.normals = true, .uvs = true, .materials = true, .groups = true}, scene.instancing);
   const Plan plan = make_plan(scene, mesh, true);
   const Bvh bvh = build_bvh(mesh);
+  ASSERT_GE(bvh.statistics.depth, 2u);
   const std::vector<std::uint32_t> pixels = pixels_in_order(plan.window, plan.width);
   std::vector<Film> first;
   for (const Traversal traversal : {Traversal::stream, Traversal::portable, Traversal::scalar}) {

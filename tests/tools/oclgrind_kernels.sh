@@ -30,8 +30,11 @@ clean() {
 for name in $("$build/bin/nook_render_tests" --gtest_list_tests --gtest_filter="$filter" | sed -n 's/^  \([^ ]*\).*/\1/p'); do
   clean "$name" "$build/bin/nook_render_tests" --gtest_filter="*KernelVariants.$name"
 done
-printf '%s\n' 'v -2 -2 0' 'v 2 -2 0.1' 'v 2 2 0' 'v -2 2 -0.1' 'f 1 2 3 4' 'v -0.5 -0.5 0.4' 'v 0.5 -0.5 0.4' \
-  'v 0.5 0.5 0.5' 'v -0.5 0.5 0.5' 'f 5 6 7 8' >mesh.obj
+# A wavy floor under a plate: triangles enough for a tree of two levels.
+awk 'BEGIN { n = 12
+  for (y = 0; y <= n; ++y) for (x = 0; x <= n; ++x) print "v", 4 * x / n - 2, 4 * y / n - 2, 0.05 * sin(1.7 * x) * cos(1.3 * y)
+  for (y = 0; y < n; ++y) for (x = 0; x < n; ++x) { c = y * (n + 1) + x + 1; print "f", c, c + 1, c + n + 2, c + n + 1 } }' >mesh.obj
+printf '%s\n' 'v -0.5 -0.5 0.4' 'v 0.5 -0.5 0.4' 'v 0.5 0.5 0.5' 'v -0.5 0.5 0.5' 'f -4 -3 -2 -1' >>mesh.obj
 printf '[input]\nobjfile = "mesh.obj"\n[camera]\neye = [0.5, 0.3, 5.0]\nat = [0, 0, 0]\nup = [0, 1, 0]\nfov = 40\n' >scene.toml
 printf '[film]\nwidth = 4\nheight = 3\n[renderer]\nspp = 2\ntype = "ao"\n' >>scene.toml
 clean "nook render" "$build/bin/nook" render scene.toml -o out.exr --no-png --quiet --aov normal,position,depth
