@@ -80,7 +80,7 @@ INLINE leaf_int without_holes(CUT_PARAMS, TREE_LEAF* leaf, leaf_int met, const R
 }
 #define WITHOUT_HOLES(leaf, met, origins, d, k) without_holes(CUT_ARGS, leaf, met, origins, d, k)
 #else
-#define WITHOUT_HOLES(leaf, met, origins, d, k) (met)
+#define WITHOUT_HOLES(leaf, met, origins, d, k) ((void)(origins), (void)(d), (met))
 #endif
 
 // triangle_nearer() for all triangles of a leaf: the nearest hit of ray k, if it is nearer than *t.

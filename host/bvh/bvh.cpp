@@ -80,9 +80,9 @@ Bvh within_memory(const TriangleMesh& mesh, const Build& build) {
 
 void check_bvh_size(std::size_t nodes, std::size_t leaves) {
   if (std::max(nodes, leaves) > BVH_FIRST(~0u))
-    throw Error(ExitCode::device,
-                "the mesh is too large: its tree has " + std::to_string(nodes) + " nodes and " +
-                    std::to_string(leaves) + " leaves, more than " + std::to_string(BVH_FIRST(~0u)));
+    throw Error(ExitCode::device, "the mesh is too large: its tree has " + std::to_string(nodes) +
+                                      " nodes and " + std::to_string(leaves) + " leaves, more than " +
+                                      std::to_string(BVH_FIRST(~0u)));
 }
 
 Bvh build_bvh(const TriangleMesh& mesh, const BvhOptions& options) {

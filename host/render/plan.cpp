@@ -41,7 +41,8 @@ Camera framing_camera(const Scene& scene, const Bounds3& bounds) {
   const dvec3 back = glm::normalize(dvec3(0.55, 0.4, 1.0)),
               right = glm::normalize(glm::cross(dvec3(0, 1, 0), back)), up = glm::cross(back, right);
   const dvec3 center(bounds.center());
-  // At least so far that eye and center are different floats, whose difference has a direction, of a point too.
+  // At least so far that eye and center are different floats, whose difference has a direction, of a point
+  // too.
   double distance = std::max(1e-30, 1e-4 * glm::length(center));
   for (int corner = 0; corner < 8; ++corner) {
     const dvec3 p = dvec3(corner & 1 ? bounds.hi.x : bounds.lo.x, corner & 2 ? bounds.hi.y : bounds.lo.y,

@@ -14,8 +14,8 @@ struct GalleryPicture {
 };
 
 /// Pictures of one scene by the plainest and the best methods, each given as long as the best one takes for
-/// 128 samples a pixel, and each taken to the error that it has with these, where that can be afforded; in about
-/// `seconds`, half of them for the reference.
+/// 128 samples a pixel, and each taken to the error that it has with these, where that can be afforded; in
+/// about `seconds`, half of them for the reference.
 std::vector<GalleryPicture> make_gallery(const StudyScene& scene, double seconds, std::uint32_t seed);
 
 }  // namespace nook

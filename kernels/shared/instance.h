@@ -6,7 +6,7 @@
 #include "portable.h"
 
 #ifdef __OPENCL_C_VERSION__
-#define NOOK_INLINE __attribute__((always_inline, unused)) static inline
+#define NOOK_INLINE __attribute__((unused)) static inline
 #define NOOK_FMA fma
 #define NOOK_FLOAT_OF_BITS as_float
 #define NOOK_BITS_OF_FLOAT as_uint

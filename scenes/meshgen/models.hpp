@@ -15,7 +15,8 @@ Model spaceship();
 /// Pickets, wires and leaves millimetres thick before shelves: what screen-space methods take for walls.
 Model fence();
 
-/// Trees to be placed many times: an oak of thin folded leaves, a fir of sprays of needles; they stand on y=0.
+/// Trees to be placed many times: an oak of thin folded leaves, a fir of sprays of needles; they stand on
+/// y=0.
 Model oak();
 Model fir();
 

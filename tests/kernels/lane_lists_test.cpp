@@ -21,7 +21,8 @@ TEST_P(LaneLists, AreTheMasksLanesInOrder) {
     const std::uint32_t* found = out.data() + room * mask;
     ASSERT_EQ(found[0], mask);
     ASSERT_EQ(found[1], expected.size() - before);
-    ASSERT_EQ(std::vector<std::uint32_t>(found + 2, found + 2 + expected.size()), expected) << "mask " << mask;
+    ASSERT_EQ(std::vector<std::uint32_t>(found + 2, found + 2 + expected.size()), expected)
+        << "mask " << mask;
   }
 }
 

@@ -99,8 +99,7 @@ Traced trace(const TriangleMesh& mesh, Traversal traversal,
 TriangleMesh sheets() {
   TriangleMesh mesh;
   for (int i = 0; i < 6; ++i)
-    add_quad(mesh, {-2, -1.5f, 0.5f * float(i) - 2}, {4, 0, 0.2f * float(i)},
-                      {0, 3, 0.1f * float(i)});
+    add_quad(mesh, {-2, -1.5f, 0.5f * float(i) - 2}, {4, 0, 0.2f * float(i)}, {0, 3, 0.1f * float(i)});
   return mesh;
 }
 

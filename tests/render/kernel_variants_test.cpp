@@ -69,8 +69,8 @@ std::vector<Variant> variants() {
   return all;
 }
 
-/// A wavy floor with a normal of its own under a plate with a hole. Of so many triangles that the tree has nodes
-/// below its root: a tree of one node is traversed in another way.
+/// A wavy floor with a normal of its own under a plate with a hole. Of so many triangles that the tree has
+/// nodes below its root: a tree of one node is traversed in another way.
 constexpr int floor_side = 12;  // quads
 std::string floor_faces() {
   std::string text;
@@ -82,7 +82,8 @@ std::string floor_faces() {
   for (int y = 0; y < floor_side; ++y)
     for (int x = 0; x < floor_side; ++x) {
       const int corner = y * row + x + 1;
-      text += fmt::format("f {}/1/1 {}/2/1 {}/3/1 {}/4/1\n", corner, corner + 1, corner + row + 1, corner + row);
+      text +=
+          fmt::format("f {}/1/1 {}/2/1 {}/3/1 {}/4/1\n", corner, corner + 1, corner + row + 1, corner + row);
     }
   return text;
 }
@@ -98,12 +99,11 @@ Scene write_scene(const TemporaryFolder& folder, const Variant& variant) {
     hole.channels.push_back({name, values});
   }
   write_png(folder / "hole.png", hole);
-  write_bytes(
-      folder / "mesh.obj",
-      "mtllib mesh.mtl\nvn 0 0.1 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\ng floor\nusemtl shiny\n" +
-          floor_faces() +
-          "g plate\nusemtl leaf\nv -0.5 -0.5 0.4\nv 0.5 -0.5 0.4\nv 0.5 0.5 0.5\nv -0.5 0.5 0.5\n"
-          "f -4/1 -3/2 -2/3 -1/4\n");
+  write_bytes(folder / "mesh.obj",
+              "mtllib mesh.mtl\nvn 0 0.1 1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\ng floor\nusemtl shiny\n" +
+                  floor_faces() +
+                  "g plate\nusemtl leaf\nv -0.5 -0.5 0.4\nv 0.5 -0.5 0.4\nv 0.5 0.5 0.5\nv -0.5 0.5 0.5\n"
+                  "f -4/1 -3/2 -2/3 -1/4\n");
   const std::string spp = std::string(variant.keys).find("spp") == std::string::npos ? "spp = 2\n" : "";
   write_bytes(folder / "scene.toml",
               std::string("[input]\nobjfile = \"mesh.obj\"\n") + variant.input +

@@ -4,7 +4,7 @@
 # misuse of the API; then the program itself. A line each; exits 1 if any reports something or fails. Takes minutes.
 set -u
 build=$(realpath "$1")
-filter=${2:-Scenes/KernelVariants.*-*/instances*}  # the interpreter lacks llvm.experimental.noalias.scope.decl, which those have
+filter=${2:-Scenes/KernelVariants.*}
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1

@@ -224,8 +224,8 @@ TEST(Exr, RefusesPlanesOfAnotherSize) {
   EXPECT_EQ(folder.entries(), 0);
 }
 
-// Its channel list ends before the size that the file states for it; OpenEXR, which goes on behind the list, would
-// see a string of 2 GiB there.
+// Its channel list ends before the size that the file states for it; OpenEXR, which goes on behind the list,
+// would see a string of 2 GiB there.
 TEST(Exr, ListsEndWhereTheirSizeSays) {
   const std::string file = std::string(NOOK_SOURCE_DIR) + "/tests/fuzz/corpus/image/string-of-2-gib";
   expect_error(ExitCode::scene, "the header is truncated or damaged", [&] { read_exr(file); });
