@@ -3,8 +3,8 @@
 #
 #   bench/run_all.sh [BUILD_FOLDER] [RESULTS_FOLDER]      (default: build, bench/results)
 #
-# Minutes on quiet cores: 8 in all; NOOK_BENCH_ONLY="tree overhead" runs some alone. THREADS (default 2) is how many
-# threads both sides get; RESOLUTION (default 512) the pixels a side of `occlusion`; CLOCK=--cpu-time counts CPU seconds, for a machine that is busy otherwise.
+# Minutes on quiet cores: 12 in all; NOOK_BENCH_ONLY="tree overhead" runs some alone. THREADS (default 2) is how many
+# threads both sides get; RESOLUTION (default 1024 for AO, 512 for other rays) the pixels a side of `occlusion`; CLOCK=--cpu-time counts CPU seconds, for a machine that is busy otherwise.
 set -eu
 here=$(dirname "$0")
 build=${1:-build}
@@ -23,15 +23,17 @@ wanted() {
 "$bench" machine > "$results/machine.txt"
 
 if wanted occlusion; then
-  run() { "$bench" occlusion --resolution "${RESOLUTION:-512}" --rounds 5 --threads "$threads" --output "$results/occlusion.jsonl" $clock "$@"; }
-  for scene in bunny room cornell spaceship; do run --scene $scene --rays ao; done
-  for scene in bunny room cornell; do run --scene $scene --rays ao -D TRAVERSAL_PORTABLE=1; done
+  run() { "$bench" occlusion --rounds 5 --threads "$threads" --output "$results/occlusion.jsonl" $clock "$@"; }
+  ao() { run --resolution "${RESOLUTION:-1024}" --rays ao "$@"; }
+  other() { run --resolution "${RESOLUTION:-512}" "$@"; }
+  for scene in bunny room cornell spaceship; do ao --scene $scene; done
+  for scene in bunny room cornell; do ao --scene $scene -D TRAVERSAL_PORTABLE=1; done
   for scene in bunny room; do
-    run --scene $scene --rays ro --exponent 30
-    run --scene $scene --rays ro --exponent 300
+    other --scene $scene --rays ro --exponent 30
+    other --scene $scene --rays ro --exponent 300
   done
-  for scene in bunny room cornell; do run --scene $scene --rays own; done
-  for scene in bunny room cornell; do run --scene $scene --rays primary; done
+  for scene in bunny room cornell; do other --scene $scene --rays own; done
+  for scene in bunny room cornell; do other --scene $scene --rays primary; done
 fi
 if wanted tree; then
   for scene in bunny room; do
