@@ -42,6 +42,7 @@ INLINE uint append_children(uint* to, __global const BvhNode* node, uint lanes) 
   return count + append_lanes(to + count, (BVH_LEAF | BVH_FIRST(node->leaves)) - nodes, 1u, lanes & ~all_nodes);
 }
 
+// BVH_ITEM of each lane; of the lanes without a child any value.
 INLINE uint16 child_items(__global const BvhNode* node) {
   const uint nodes = BVH_COUNT(node->nodes);
   return LANE_NUMBERS + (LANE_NUMBERS < nodes ? (uint16)(BVH_FIRST(node->nodes))

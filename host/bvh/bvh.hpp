@@ -15,7 +15,7 @@ struct BvhOptions {
   unsigned threads = 0;  ///< 0: all
 };
 
-// The kernels' layout: no padding anywhere.
+// The kernels' layout: no padding but what BvhNode names.
 static_assert(sizeof(BvhNode) == 7 * BVH_WIDTH * 4 && offsetof(BvhNode, hi) == 3 * BVH_WIDTH * 4 &&
               offsetof(BvhNode, nodes) == 6 * BVH_WIDTH * 4);
 static_assert(sizeof(TriangleLeaf) == 10 * BVH_LEAF_WIDTH * 4 &&

@@ -90,7 +90,7 @@ typedef struct {
 typedef struct {
   float lo[3][BVH_WIDTH];     // as in BvhNode
   float hi[3][BVH_WIDTH];
-  uint child[BVH_WIDTH];      // BVH_ITEM, or BVH_EMPTY
+  uint child[BVH_WIDTH];      // BVH_ITEM; any value where no ray meets the box
   uint instance[BVH_WIDTH];   // the placed mesh that the child is in
 } OpenedNode;
 typedef struct {
