@@ -30,6 +30,9 @@ struct uint4 {
   uint x, y, z, w;
 };
 using std::fmin;
+inline uint clz(uint x) {
+  return x == 0u ? 32u : static_cast<uint>(__builtin_clz(x));
+}
 #define __constant static const
 #define SAMPLER 3
 #include "kernels/sampler.cl"

@@ -9,10 +9,11 @@
 
 #include "config.h"
 #include "frame.cl"
+#include "inline.h"
 #include "warp.cl"
 
 // One direction (unit, world) about the unit shading normal from u in [0,1)². Returns its weight; 0: do not trace.
-float ambient_sample(float2 u, float3 normal, float3* direction) {
+INLINE float ambient_sample(float2 u, float3 normal, float3* direction) {
   Frame frame = frame_about(normal);
   float3 in_frame;
   float weight;

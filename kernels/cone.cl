@@ -7,10 +7,11 @@
 
 #include "config.h"
 #include "frame.cl"
+#include "inline.h"
 #include "warp.cl"
 
 // One direction (unit, world) of the cone from u in [0,1)². Returns its weight.
-float ambient_cone_sample(float2 u, float3 normal, float sine, float cosine, float3* direction) {
+INLINE float ambient_cone_sample(float2 u, float3 normal, float sine, float cosine, float3* direction) {
   Frame frame = frame_about(normal);
   float3 in_frame;
   float weight;

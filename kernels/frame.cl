@@ -20,7 +20,9 @@ Frame frame_about(float3 normal) {
 
 // A vector given in the frame's coordinates (z along the normal), in world coordinates.
 float3 to_world(const Frame* frame, float3 v) {
-  return v.x * frame->tangent + v.y * frame->bitangent + v.z * frame->normal;
+  return (float3)(v.x * frame->tangent.x + v.y * frame->bitangent.x + v.z * frame->normal.x,
+                  v.x * frame->tangent.y + v.y * frame->bitangent.y + v.z * frame->normal.y,
+                  v.x * frame->tangent.z + v.y * frame->bitangent.z + v.z * frame->normal.z);
 }
 
 // The inverse of to_world: a world vector in the frame's coordinates.

@@ -3,29 +3,30 @@
 #include "shared/surface_point.h"
 #include "shared/task.h"
 #include "shared/task_result.h"
-#include "sampler.cl"
+#include "directions.cl"
 #include "visibility.cl"
-#include "ambient.cl"
-#include "reflection.cl"
-#include "cone.cl"
 #include "reach.cl"
 #include "sets.cl"
 #include "side.cl"
 #include "shared/camera.h"
 
 #define STREAM 32u
+// Open rays need only be counted.
+#define WEIGHTS_ARE_1 (EFFECT == EFFECT_AMBIENT && SAMPLING == SAMPLING_COSINE && FALLOFF == FALLOFF_NONE)
 #define TASKS_PER_ITEM (TRAVERSAL_SCALAR ? 1 : 32)  // at most
-
-// One direction at a surface point; returns its weight w with E[w V] the effect's value, 0 if it needs no ray.
-float sample_effect(float2 u, float3 normal, float3 view, float exponent, const EstimatorParams* p, float3* direction) {
-  if (EFFECT == EFFECT_REFLECTION) return reflection_sample(u, normal, view, exponent, direction);
-  if (CONE) return ambient_cone_sample(u, normal, p->cone_sine, p->cone_cosine, direction);
-  return ambient_sample(u, normal, direction);
-}
 
 // The Phong exponent of the point's material; negative where it has no lobe, or no material.
 float exponent_of(__global const SurfacePoint* point, __global const float* exponents) {
   return point->material == 0xffffffffu ? -1.0f : exponents[point->material];
+}
+
+// Whether the effect is estimated at the point: it is on a surface that is to receive it.
+bool takes_part(WITH_INSTANCE_PARAMS __global const SurfacePoint* point, __global const float* exponents,
+                __global const uint* receivers) {
+  if (!(point->flags & SURFACE_HIT)) return false;
+  if (RECEIVERS && point->triangle != NO_TRIANGLE && !receives(receivers, STORED(point->triangle))) return false;
+  if (ONLY_SELF && point->triangle == NO_TRIANGLE) return false;
+  return !EXPONENT_OF_MATERIAL || exponent_of(point, exponents) >= 0.0f;
 }
 
 // Bent normals: Σ w V ω in fixed point (two's complement), in world space or along the camera's right, up and back axes.
@@ -61,37 +62,33 @@ __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* task
     result[i] = nothing;
     bent_sum[i][0] = bent_sum[i][1] = bent_sum[i][2] = 0;
   }
-  // Camera samples are numbered through all tasks of the work-item.
-  const uint all_samples = count_of_tasks * p.samples;
   const uint per_stream = max(1u, STREAM / p.directions);
-  for (uint first = 0; first < all_samples; first += per_stream) {
-    const uint samples = min(per_stream, all_samples - first);
-    uint hits = 0;  // bit j: sample first + j has a surface to estimate at
-    for (uint j = 0; j < samples; ++j) {
-      const uint task = (first + j) / p.samples;
-      __global const SurfacePoint* point = points + tasks[first_task + task].point + (first + j) % p.samples;
-      if (!(point->flags & SURFACE_HIT)) continue;
-      ++result[task].hits;
-      if (RECEIVERS && point->triangle != NO_TRIANGLE && !receives(receivers, STORED(point->triangle))) continue;
-      if (ONLY_SELF && point->triangle == NO_TRIANGLE) continue;
-      if (EXPONENT_OF_MATERIAL && !(exponent_of(point, exponents) >= 0.0f)) continue;
-      hits |= 1u << j;
+  RayKeys keys;
+  clear_keys(&keys);
+  for (uint task = 0, sample = 0; task < count_of_tasks;) {
+    // The next camera samples that have a surface to estimate at, numbered from 0.
+    uint found = 0, item[STREAM], number[STREAM];
+    while (task < count_of_tasks && found < per_stream) {
+      __global const SurfacePoint* point = points + tasks[first_task + task].point + sample;
+      item[found] = task;
+      number[found] = sample;
+      result[task].hits += (point->flags & SURFACE_HIT) != 0;
+      found += takes_part(WITH_INSTANCE_ARGS point, exponents, receivers);
+      if (++sample == p.samples) sample = 0, ++task;
     }
     ulong of_sample[STREAM];
-    for (uint j = 0; j < samples; ++j) of_sample[j] = 0;
-    uint free = hits;  // bit j: sample first + j has had nothing in reach
-    for (uint begin = 0; begin < p.directions; begin += STREAM) {
-      const uint count = min(STREAM, p.directions - begin);
+    for (uint j = 0; j < found; ++j) of_sample[j] = 0;
+    uint free = found == STREAM ? 0xffffffffu : (1u << found) - 1u;  // samples that have had nothing in reach
+    for (uint begin = 0; found && begin < p.directions; begin += STREAM) {
+      const uint count = min(STREAM, p.directions - begin), rays = found * count;
+      const uint of_one = count == STREAM ? 0xffffffffu : (1u << count) - 1u;
       RayDirections origins, directions;
-      float weight[STREAM];
       uint group[STREAM];
-      uint active = 0;
+      uint sound = 0;  // rays from points that are finite
       AskedPoints asked;
-      for (uint rest = hits; rest; rest &= rest - 1) {
-        const uint j = lowest_bit(rest);
-        const uint of_item = (first + j) / p.samples, sample = (first + j) % p.samples;
-        const Task task = tasks[first_task + of_item];
-        __global const SurfacePoint* point = points + task.point + sample;
+      for (uint j = 0; j < found; ++j) {
+        const Task of = tasks[first_task + item[j]];
+        __global const SurfacePoint* point = points + of.point + number[j];
         const float exponent = EXPONENT_OF_MATERIAL ? exponent_of(point, exponents) : p.exponent;
         float3 origin = (float3)(point->origin[0], point->origin[1], point->origin[2]);
         float3 normal = (float3)(point->normal[0], point->normal[1], point->normal[2]);
@@ -102,44 +99,39 @@ __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* task
         }
         if (REACH) asked.nx[j] = normal.x, asked.ny[j] = normal.y, asked.nz[j] = normal.z;
         if (REACH && ONLY_SELF) asked.set[j] = triangle_groups[point->triangle];
+        if (isfinite(origin.x + origin.y + origin.z)) sound |= of_one << j * count;
         for (uint k = 0; k < count; ++k) {
           const uint ray = j * count + k;
-          float3 d;
-          const float2 square =
-              sample_direction(task.pixel, task.first_sample + sample, task.first_direction + begin + k, &p);
-          float w = sample_effect(square, normal, view, exponent, &p, &d);
-          // A NaN normal or origin would pass for an open direction: no comparison with a NaN holds.
-          if (!isfinite(w) || !isfinite(d.x + d.y + d.z) || !isfinite(origin.x + origin.y + origin.z)) {
-            ++result[of_item].rejected;
-            w = 0.0f;
-          }
-          weight[ray] = w;
-          if (ONLY_SELF) group[ray] = triangle_groups[point->triangle];
+          keys.pixel[ray] = of.pixel, keys.sample[ray] = of.first_sample + number[j];
+          keys.direction[ray] = of.first_direction + begin + k;
+          keys.nx[ray] = normal.x, keys.ny[ray] = normal.y, keys.nz[ray] = normal.z;
+          keys.vx[ray] = view.x, keys.vy[ray] = view.y, keys.vz[ray] = view.z;
+          keys.exponent[ray] = exponent;
           origins.x[ray] = origin.x, origins.y[ray] = origin.y, origins.z[ray] = origin.z;
-          directions.x[ray] = d.x, directions.y[ray] = d.y, directions.z[ray] = d.z;
-          if (w > 0.0f) {
-            active |= 1u << ray;
-            ++result[of_item].rays;
-          }
+          if (ONLY_SELF) group[ray] = triangle_groups[point->triangle];
         }
+      }
+      float weight[STREAM];
+      uint active;
+      // A NaN normal or origin would pass for an open direction: no comparison with a NaN holds.
+      sound &= make_directions(&keys, rays, &p, &directions, weight, &active);
+      active &= sound;
+      for (uint j = 0; j < found; ++j) {
+        result[item[j]].rejected += popcount(~sound >> j * count & of_one);
+        result[item[j]].rays += popcount(active >> j * count & of_one);
       }
       float visibility[STREAM];
       uint unreached = 0;
-      if (REACH) {
-        uint rest = hits;
-        while (rest) {
-          const uint j = lowest_bit(rest), of_item = (first + j) / p.samples;
-          const uint end = p.directions >= ASKED_ALONE ? j + 1u : min(samples, (of_item + 1u) * p.samples - first);
-          const uint together = rest & (end == 32u ? 0xffffffffu : (1u << end) - 1u);
-          rest &= ~together;
-          // What was in reach of the first directions is in reach.
-          const uint out = together & ~free ? 0u
-                                            : unreached_rays(nodes, leaves AND_INSTANCE_ARGS, first_of_group, &asked, together, count, &origins,
-                                                             &directions, active, &p);
-          if (!out) free &= ~together;
-          result[of_item].rays -= popcount(out);
-          unreached |= out;
-        }
+      for (uint j = 0, end; REACH && j < found; j = end) {
+        for (end = j + 1u; p.directions < ASKED_ALONE && end < found && item[end] == item[j];) ++end;
+        const uint together = (end == 32u ? 0xffffffffu : (1u << end) - 1u) & 0xffffffffu << j;
+        // What was in reach of the first directions is in reach.
+        const uint out = together & ~free ? 0u
+                                          : unreached_rays(nodes, leaves AND_INSTANCE_ARGS, first_of_group, &asked, together, count, &origins,
+                                                           &directions, active, &p);
+        if (!out) free &= ~together;
+        result[item[j]].rays -= popcount(out);
+        unreached |= out;
       }
       active &= ~unreached;
       uint open = ONLY_SELF ? visible_within_groups(BVH_ARGS, first_of_group, group, &origins, &directions, active, &p,
@@ -147,21 +139,29 @@ __kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* task
                             : visible_rays(BVH_ARGS, &origins, &directions, active, &p, visibility);
       if (FALLOFF != FALLOFF_NONE)
         for (uint rest = unreached; rest; rest &= rest - 1) visibility[lowest_bit(rest)] = 1.0f;
-      for (open |= unreached; open; open &= open - 1) {
-        const uint ray = lowest_bit(open), j = ray / count, of_item = (first + j) / p.samples;
-        const float value = FALLOFF == FALLOFF_NONE ? weight[ray] : weight[ray] * visibility[ray];
-        of_sample[j] += convert_ulong_rte(value * p.sum_scale);
-        if (REPLICATE_DIRECTIONS) result[of_item].sum_square += convert_ulong_rte(value * value * p.square_scale);
-        if (BENT) add_direction(bent_sum[of_item], value * p.sum_scale, ray_direction(&directions, ray), &camera);
+      open |= unreached;
+      if (WEIGHTS_ARE_1) {
+        for (uint j = 0; j < found; ++j) of_sample[j] += popcount(open >> j * count & of_one) * convert_ulong_rte(p.sum_scale);
+        if (REPLICATE_DIRECTIONS)
+          for (uint j = 0; j < found; ++j)
+            result[item[j]].sum_square += popcount(open >> j * count & of_one) * convert_ulong_rte(p.square_scale);
       }
+      for (uint j = 0; (!WEIGHTS_ARE_1 || BENT) && j < found; ++j)
+        for (uint rest = open & of_one << j * count; rest; rest &= rest - 1) {
+          const uint ray = lowest_bit(rest);
+          const float value = FALLOFF == FALLOFF_NONE ? weight[ray] : weight[ray] * visibility[ray];
+          if (BENT) add_direction(bent_sum[item[j]], value * p.sum_scale, ray_direction(&directions, ray), &camera);
+          if (WEIGHTS_ARE_1) continue;
+          of_sample[j] += convert_ulong_rte(value * p.sum_scale);
+          if (REPLICATE_DIRECTIONS) result[item[j]].sum_square += convert_ulong_rte(value * value * p.square_scale);
+        }
     }
-    for (uint rest = hits; rest; rest &= rest - 1) {
-      const uint j = lowest_bit(rest), of_item = (first + j) / p.samples;
-      result[of_item].sum += of_sample[j];
-      if (REACH) result[of_item].free += free >> j & 1u;
+    for (uint j = 0; j < found; ++j) {
+      result[item[j]].sum += of_sample[j];
+      if (REACH) result[item[j]].free += free >> j & 1u;
       if (REPLICATE_DIRECTIONS) continue;
       const float mean = (float)of_sample[j] / (p.sum_scale * (float)p.directions);
-      result[of_item].sum_square += convert_ulong_rte(mean * mean * p.square_scale);
+      result[item[j]].sum_square += convert_ulong_rte(mean * mean * p.square_scale);
     }
   }
   for (uint i = 0; i < count_of_tasks; ++i) {

@@ -17,6 +17,7 @@
 
 #include "config.h"
 #include "halton.cl"
+#include "inline.h"
 #include "random.cl"
 #include "shared/task.h"
 #include "sobol.cl"
@@ -29,23 +30,29 @@
 #define STREAM_ZORDER 0x5a6f7264u
 #define CAMERA_DIRECTION 0xffffffffu  // the direction index that stands for the camera sample itself
 
-// Interleaves the low 16 bits of x and y: x in the even bits.
-uint morton_code(uint x, uint y) {
-  uint code = 0;
-  for (uint bit = 0; bit < 16u; ++bit) code |= (x >> bit & 1u) << 2u * bit | (y >> bit & 1u) << (2u * bit + 1u);
-  return code;
+// The low 16 bits of x, each with a 0 above it.
+uint spread_bits(uint x) {
+  x &= 0xffffu;
+  x = (x | x << 8) & 0x00ff00ffu;
+  x = (x | x << 4) & 0x0f0f0f0fu;
+  x = (x | x << 2) & 0x33333333u;
+  return (x | x << 1) & 0x55555555u;
 }
+
+// Interleaves the low 16 bits of x and y: x in the even bits.
+uint morton_code(uint x, uint y) { return spread_bits(x) | spread_bits(y) << 1; }
 
 // The sequence's index for point i < count of `pixel`. Each pixel owns an aligned block of 2^bits indices, bits = ceil(log2 count);
 // shuffling the children of every quadtree node independently is a nested scramble of the Z-order code. The scramble
 // goes on through the point's own bits: were they left in order and count no power of two, every pixel would miss the
 // same part of the square. An image with more pixels than blocks repeats; *tile then tells the repetitions apart.
-uint zorder_index(uint pixel, uint i, uint count, uint width, uint seed, uint* tile) {
-  uint code = width > 0u ? morton_code(pixel % width, pixel / width) : pixel;
-  uint bits = 0;
-  while (bits < 32u && (count - 1u) >> bits > 0u) ++bits;
-  *tile = bits == 0u ? 0u : bits == 32u ? code : code >> (32u - bits);
-  uint index = (bits == 32u ? 0u : code << bits) | i;
+INLINE uint zorder_index(uint pixel, uint i, uint count, uint width, uint seed, uint* tile) {
+  uint columns = width > 0u ? width : 1u;
+  uint code = width > 0u ? morton_code(pixel % columns, pixel / columns) : pixel;
+  uint bits = 32u - clz(count - 1u);
+  ulong place = (ulong)code << bits;  // of the pixel's block, and above it the repetition
+  *tile = (uint)(place >> 32);
+  uint index = (uint)place | i;
   return reverse_bits(owen_scramble_reversed(reverse_bits(index), pcg(seed ^ STREAM_ZORDER)));
 }
 
@@ -81,7 +88,7 @@ float2 sample_pixel(uint pixel, uint sample, const EstimatorParams* p) {
 }
 
 // The point that direction `direction` of camera sample `sample` is warped from, in [0,1)².
-float2 sample_direction(uint pixel, uint sample, uint direction, const EstimatorParams* p) {
+INLINE float2 sample_direction(uint pixel, uint sample, uint direction, const EstimatorParams* p) {
   uint count = p->total_samples * p->total_directions;
   uint index = sample * p->total_directions + direction;
   float2 u;

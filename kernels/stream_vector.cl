@@ -4,11 +4,9 @@
 #define NOOK_STREAM_VECTOR_CL
 
 #include "config.h"
+#include "inline.h"
 #include "rays.cl"
 #include "shared/bvh.h"
-
-// The hot loops' parts: PoCL does not inline them by itself. Not every file that includes them needs all.
-#define INLINE __attribute__((always_inline, unused)) static inline
 
 #if defined(__AVX512F__) && defined(__clang__) && !TRAVERSAL_PORTABLE
 #define STREAM_AVX512 1

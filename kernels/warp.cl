@@ -29,7 +29,7 @@ float square_to_polar(float2 u, float2* azimuth) {
   float major = a_leads ? a : b, minor = a_leads ? b : a;
   float2 cs = cos_sin_octant(major == 0.0f ? 0.0f : minor / major);
   float sign = copysign(1.0f, major);
-  *azimuth = a_leads ? (float2)(sign * cs.x, sign * cs.y) : (float2)(sign * cs.y, sign * cs.x);
+  *azimuth = (float2)(sign * (a_leads ? cs.x : cs.y), sign * (a_leads ? cs.y : cs.x));
   return fabs(major);
 }
 
@@ -60,7 +60,7 @@ float3 square_to_sphere(float2 u) {
   float2 azimuth;
   float r = square_to_polar(u, &azimuth);
   float s = 2.0f * r * sqrt((1.0f - r) * (1.0f + r));
-  return (float3)(s * azimuth, fma(-2.0f * r, r, 1.0f));
+  return (float3)(s * azimuth.x, s * azimuth.y, fma(-2.0f * r, r, 1.0f));
 }
 
 float2 sphere_to_square(float3 w) {
@@ -76,7 +76,8 @@ float3 square_to_hemisphere(float2 u) {
   float2 azimuth;
   float r = square_to_polar(u, &azimuth);
   float z = (1.0f - r) * (1.0f + r);
-  return (float3)(r * sqrt(1.0f + z) * azimuth, z);
+  float s = r * sqrt(1.0f + z);
+  return (float3)(s * azimuth.x, s * azimuth.y, z);
 }
 
 float2 hemisphere_to_square(float3 w) {
@@ -90,7 +91,7 @@ float square_to_hemisphere_pdf(float3 w) { return w.z > 0.0f ? 0.5f * INV_PI : 0
 float3 square_to_cosine_hemisphere(float2 u) {
   float2 azimuth;
   float r = square_to_polar(u, &azimuth);
-  return (float3)(r * azimuth, sqrt((1.0f - r) * (1.0f + r)));
+  return (float3)(r * azimuth.x, r * azimuth.y, sqrt((1.0f - r) * (1.0f + r)));
 }
 
 float2 cosine_hemisphere_to_square(float3 w) { return polar_to_square(sqrt(w.x * w.x + w.y * w.y), w.x, w.y); }

@@ -10,15 +10,17 @@ namespace nook {
 
 // The OpenCL functions nook calls, loaded when first needed: a run without a path-traced effect never maps
 // libOpenCL.
-#define NOOK_OPENCL_FUNCTIONS(X)                                                                      \
-  X(clGetPlatformIDs)                                                                                 \
-  X(clGetPlatformInfo)                                                                                \
-  X(clGetDeviceIDs) X(clGetDeviceInfo) X(clCreateContext) X(clReleaseContext) X(clCreateCommandQueue) \
-      X(clReleaseCommandQueue) X(clCreateBuffer) X(clReleaseMemObject) X(clCreateProgramWithSource)   \
-          X(clCreateProgramWithBinary) X(clBuildProgram) X(clGetProgramBuildInfo) X(clGetProgramInfo) \
-              X(clReleaseProgram) X(clCreateKernel) X(clReleaseKernel) X(clSetKernelArg)              \
-                  X(clEnqueueNDRangeKernel) X(clEnqueueReadBuffer) X(clEnqueueWriteBuffer)            \
-                      X(clWaitForEvents) X(clReleaseEvent) X(clGetEventProfilingInfo) X(clFlush) X(clFinish)
+// It wraps macros anew at each run.
+// clang-format off
+#define NOOK_OPENCL_FUNCTIONS(X) \
+  X(clGetPlatformIDs) X(clGetPlatformInfo) X(clGetDeviceIDs) X(clGetDeviceInfo) X(clCreateContext) \
+  X(clReleaseContext) X(clCreateCommandQueue) X(clReleaseCommandQueue) X(clCreateBuffer) \
+  X(clReleaseMemObject) X(clCreateProgramWithSource) X(clCreateProgramWithBinary) X(clBuildProgram) \
+  X(clGetProgramBuildInfo) X(clGetProgramInfo) X(clReleaseProgram) X(clCreateKernel) \
+  X(clReleaseKernel) X(clSetKernelArg) X(clEnqueueNDRangeKernel) X(clEnqueueReadBuffer) \
+  X(clEnqueueWriteBuffer) X(clWaitForEvents) X(clReleaseEvent) X(clGetEventProfilingInfo) X(clFlush) \
+  X(clFinish)
+// clang-format on
 
 struct OpenClFunctions {
 #define X(name) decltype(&::name) name = nullptr;

@@ -199,7 +199,7 @@ TEST(WarpMutants, AreRejected) {
        "sqrt(1.0f - exp(l) * exp(l))",
        {Warp::cosine_power, 1e7f, "cosine power 1e7"}},
       {"hemisphere for cosine",
-       "(float3)(r * azimuth, sqrt((1.0f - r) * (1.0f + r)))",
+       "(float3)(r * azimuth.x, r * azimuth.y, sqrt((1.0f - r) * (1.0f + r)))",
        "(float3)(r * sqrt(2.0f - r * r) * azimuth, (1.0f - r) * (1.0f + r))",
        {Warp::cosine_hemisphere, 0, "cosine"}},
       {"shared u and v", "fma(2.0f, u.y, -1.0f)", "fma(2.0f, u.x, -1.0f)", {Warp::sphere, 0, "sphere"}},

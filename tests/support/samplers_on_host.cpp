@@ -15,6 +15,9 @@ struct uint4 {
   uint x, y, z, w;
 };
 using std::fmin;
+inline uint clz(uint x) {
+  return x == 0u ? 32u : static_cast<uint>(__builtin_clz(x));
+}
 #define __constant static const
 
 #include "kernels/halton.cl"
