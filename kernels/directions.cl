@@ -3,6 +3,9 @@
 #ifndef NOOK_DIRECTIONS_CL
 #define NOOK_DIRECTIONS_CL
 
+// One ray at a time or 16, the compiler rounds alike.
+#pragma OPENCL FP_CONTRACT OFF
+
 #include "ambient.cl"
 #include "cone.cl"
 #include "config.h"
