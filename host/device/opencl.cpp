@@ -1,37 +1,20 @@
 #include "device/opencl.hpp"
 
 #include <dlfcn.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <cstdlib>
-#include <filesystem>
 
 #include "base/error.hpp"
+#include "device/pocl_folder.hpp"
 
 namespace nook {
 namespace {
 
 std::atomic<bool> loaded = false;
 
-// PoCL offers no device where it cannot make its cache, as in a container without a home: nook's folder then
-// serves it too.
-void lend_cache_to_pocl() {
-  const auto variable = [](const char* name) {
-    const char* text = std::getenv(name);
-    return std::filesystem::path(text ? text : "");
-  };
-  const std::filesystem::path ours = variable("NOOK_CACHE_DIR"), cache = variable("XDG_CACHE_HOME"),
-                              home = variable("HOME");
-  if (ours.empty() || (cache.empty() && home.empty())) return;
-  const std::filesystem::path theirs = cache.empty() ? home / ".cache" : cache;
-  std::error_code code;
-  std::filesystem::create_directories(theirs, code);
-  if (code || access(theirs.c_str(), W_OK) != 0) setenv("POCL_CACHE_DIR", (ours / "pocl").c_str(), 0);
-}
-
 OpenClFunctions load() {
-  lend_cache_to_pocl();
+  give_pocl_its_own_folder();
   const char* name = std::getenv("NOOK_OPENCL");
   if (!name || !*name) name = "libOpenCL.so.1";
   void* library = dlopen(name, RTLD_NOW | RTLD_LOCAL);

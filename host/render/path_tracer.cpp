@@ -157,10 +157,13 @@ EstimatorParams PathTracer::params_for(const EffectPlan& effect, const Batch& ba
 }
 
 // One work-item a work-group on CPUs: the streams are the vectors there, and PoCL's work-item loops would
-// split them.
+// split them. Below 2^16 work-groups PoCL would compile a version of the kernel that its binaries lack; the
+// kernels return at once from work-items behind the last task.
 void PathTracer::launch(cl_kernel kernel, std::size_t count, ClEvent* event) {
-  const std::size_t local = device_.info().is_cpu() ? 1 : 64;
-  const std::size_t global = (count + local - 1) / local * local;
+  const bool cpu = device_.info().is_cpu();
+  const std::size_t local = cpu ? 1 : 64;
+  const std::size_t global =
+      cpu ? std::max<std::size_t>(count, 1 << 16) : (count + local - 1) / local * local;
   cl_event raw = nullptr;
   check_opencl(opencl().clEnqueueNDRangeKernel(device_.queue(), kernel, 1, nullptr, &global, &local, 0,
                                                nullptr, event ? &raw : nullptr),

@@ -1,7 +1,11 @@
 // The cache of built kernels may be damaged, shared, unwritable: a run is right all the same.
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <csignal>
+#include <filesystem>
 #include <memory>
+#include <thread>
 #include <vector>
 
 #include "bad_input_rows.hpp"
@@ -56,6 +60,35 @@ TEST_F(KernelCache, DamagedEntriesAreRebuilt) {
     bytes[8] = bytes[9] = bytes[10] = bytes[11] = bytes[12] = '\x7f';
   });  // its length
   EXPECT_EQ(render("long.exr"), first);
+}
+
+// PoCL trusts its own files, so each run has its own, gone at its end; a killed one's go with the next run.
+TEST_F(KernelCache, OfPoclIsOneRunsOwn) {
+  setting.environment.push_back({"POCL_CACHE_DIR", ""});
+  const std::vector<float> first = render("first.exr");
+  const std::filesystem::path files = folder / "cache/pocl";
+  ASSERT_TRUE(std::filesystem::is_directory(files));
+  EXPECT_TRUE(std::filesystem::is_empty(files));
+
+  setting.arguments = words("render scene.toml --quiet --no-png --spp 60000000 -o endless.exr");
+  RunningProgram endless(NOOK_PROGRAM, setting);
+  const auto entries = [&] {
+    std::vector<std::filesystem::path> found;
+    for (const auto& entry : std::filesystem::directory_iterator(files)) found.push_back(entry.path());
+    return found;
+  };
+  for (int wait = 0; entries().size() < 2 && wait < 1000; ++wait)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  const auto of_endless = entries();
+  ASSERT_EQ(of_endless.size(), 2u) << "a folder and its lock";
+  EXPECT_EQ(render("beside.exr"), first);
+  EXPECT_EQ(entries(), of_endless) << "a living run's folder stays";
+  endless.send(SIGKILL);
+  endless.wait();
+  for (const auto& entry : entries())
+    if (std::filesystem::is_directory(entry)) write_bytes(entry / "left", "damaged");
+  EXPECT_EQ(render("after.exr"), first);
+  EXPECT_TRUE(std::filesystem::is_empty(files));
 }
 
 TEST_F(KernelCache, CannotBeWritten) {

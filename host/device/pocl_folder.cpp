@@ -1,0 +1,89 @@
+#include "device/pocl_folder.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "device/program_cache.hpp"
+
+namespace nook {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A process holds a lock on NAME.lock as long as it uses the folder NAME; a lock that can be taken is a dead
+// process's.
+constexpr const char* lock_suffix = ".lock";
+
+fs::path folder_of(const fs::path& lock) {
+  return fs::path(lock).replace_extension();
+}
+
+void remove_folder(const fs::path& lock) {
+  std::error_code ignored;
+  fs::remove_all(folder_of(lock), ignored);
+  fs::remove(lock, ignored);
+}
+
+void remove_what_was_left(const fs::path& folder) {
+  std::error_code failed;
+  for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end; entry.increment(failed)) {
+    const fs::path lock = entry->path();
+    if (lock.extension() != lock_suffix) continue;
+    const int file = open(lock.c_str(), O_RDWR | O_CLOEXEC);
+    if (file < 0) continue;
+    if (flock(file, LOCK_EX | LOCK_NB) == 0) remove_folder(lock);
+    close(file);
+  }
+}
+
+// An open, locked file of a name of its own; -1 if none can be made. It stays open until the process ends.
+int make_lock(const fs::path& folder, fs::path& lock) {
+  for (int attempt = 0; attempt < 8; ++attempt) {
+    std::string name = (folder / "run-XXXXXX").string() + lock_suffix;
+    const int file = mkostemps(name.data(), int(std::string(lock_suffix).size()), O_CLOEXEC);
+    if (file < 0) return -1;
+    lock = name;
+    struct stat status;
+    // Another process may have taken it for a dead one's before it was locked.
+    if (flock(file, LOCK_EX | LOCK_NB) == 0 && fstat(file, &status) == 0 && status.st_nlink == 1) return file;
+    close(file);
+  }
+  return -1;
+}
+
+fs::path lock_of_this_process;
+pid_t process_of_lock;
+
+}  // namespace
+
+void give_pocl_its_own_folder() {
+  const char* chosen = std::getenv("POCL_CACHE_DIR");
+  const fs::path cache = program_cache_dir();
+  if ((chosen && *chosen) || cache.empty()) return;
+  const fs::path folder = cache / "pocl";
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  if (failed) return;
+  remove_what_was_left(folder);
+  fs::path lock;
+  if (make_lock(folder, lock) < 0) return;
+  if (!fs::create_directory(folder_of(lock), failed)) {
+    remove_folder(lock);
+    return;
+  }
+  lock_of_this_process = lock;
+  process_of_lock = getpid();
+  // PoCL is loaded later, so what it does at the end comes before this.
+  std::atexit([] {
+    if (getpid() == process_of_lock) remove_folder(lock_of_this_process);
+  });
+  setenv("POCL_CACHE_DIR", folder_of(lock).c_str(), 1);
+}
+
+}  // namespace nook

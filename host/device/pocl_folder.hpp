@@ -1,0 +1,12 @@
+#pragma once
+
+namespace nook {
+
+/// Makes a folder for PoCL's intermediate files, of this process alone and removed when it ends, and names it
+/// in POCL_CACHE_DIR, before PoCL is loaded. PoCL would otherwise keep them in ~/.cache/pocl and trust
+/// whatever it finds there: a file that a full disk cut short ends the process in a signal. What is worth
+/// keeping is in nook's own cache, with checksums (program_cache.hpp). Folders that killed processes left
+/// behind are removed. Does nothing where POCL_CACHE_DIR is set, or where no folder can be made.
+void give_pocl_its_own_folder();
+
+}  // namespace nook
