@@ -30,7 +30,7 @@ void clear_keys(RayKeys* keys) {
 }
 
 // Rays that a loop makes together: those behind the last are made from whatever the keys hold.
-#define POINTS_TOGETHER (TRAVERSAL_SCALAR || SAMPLER == SAMPLER_STRATIFIED || SAMPLER == SAMPLER_HALTON ? 1u : 16u)
+#define POINTS_TOGETHER (TRAVERSAL_SCALAR ? 1u : 16u)
 #define DIRECTIONS_TOGETHER (TRAVERSAL_SCALAR || EFFECT == EFFECT_REFLECTION ? 1u : 16u)
 
 // One direction at a surface point; returns its weight w with E[w V] the effect's value, 0 if it needs no ray.
@@ -43,12 +43,8 @@ INLINE float sample_effect(float2 u, float3 normal, float3 view, float exponent,
 // Directions and weights of the first `count` rays. Returns those for which both are finite; *active: those with a weight above 0 besides.
 INLINE uint make_directions(const RayKeys* keys, uint count, const EstimatorParams* p, RayDirections* d, float* weight, uint* active) {
   float ux[32], uy[32];
-  for (uint first = 0; first < count; first += POINTS_TOGETHER)
-    for (uint k = first; k < first + POINTS_TOGETHER; ++k) {
-      const float2 u = sample_direction(keys->pixel[k], keys->sample[k], keys->direction[k], p);
-      ux[k] = u.x;
-      uy[k] = u.y;
-    }
+  for (uint k = 0; k < count; k += POINTS_TOGETHER)
+    sample_directions(keys->pixel + k, keys->sample + k, keys->direction + k, POINTS_TOGETHER, p, ux + k, uy + k);
   uint finite = 0, traced = 0;
   for (uint first = 0; first < count; first += DIRECTIONS_TOGETHER)
     for (uint k = first; k < first + DIRECTIONS_TOGETHER; ++k) {

@@ -8,20 +8,21 @@
 
 #include "random.cl"
 
-// Scrambled radical inverse of `index` in a prime base, in [0,1). `digits` fixes the resolution: base^digits must fit
-// in 32 bits and should exceed 2^24; `scale` is base^-digits (a product is the same on every device, a quotient is not).
-float scrambled_radical_inverse(uint index, uint base, uint digits, float scale, uint seed) {
-  uint node = seed;  // identifies the digits so far
-  uint numerator = 0;
-  for (uint k = 0; k < digits; ++k) {
-    uint digit = index % base;
-    index /= base;
-    uint factor_bits = pcg(node), offset_bits = pcg(factor_bits ^ 0x5bf03635u);
-    uint factor = 1u + uint_below(factor_bits, base - 1u), offset = uint_below(offset_bits, base);
-    numerator = numerator * base + (digit * factor + offset) % base;
-    node = pcg(node + 0x9e3779b9u * (digit + 1u));
-  }
-  return fmin((float)numerator * scale, 0x1.fffffep-1f);
+// Scrambled radical inverses of `count` indices, at most 16, in a prime base, in [0,1). `digits` fixes the resolution: base^digits
+// must fit in 32 bits and should exceed 2^24; `scale` is base^-digits (a product is the same on every device, a quotient is not).
+INLINE void scrambled_radical_inverse(const uint* index, const uint* seed, uint count, uint base, uint digits, float scale, float* u) {
+  uint node[16], rest[16], numerator[16];  // node: identifies the digits so far
+  for (uint k = 0; k < count; ++k) node[k] = seed[k], rest[k] = index[k], numerator[k] = 0;
+  for (uint place = 0; place < digits; ++place)
+    for (uint k = 0; k < count; ++k) {
+      const uint digit = rest[k] % base;
+      rest[k] /= base;
+      const uint factor_bits = pcg(node[k]), offset_bits = pcg(factor_bits ^ 0x5bf03635u);
+      const uint factor = 1u + uint_below(factor_bits, base - 1u), offset = uint_below(offset_bits, base);
+      numerator[k] = numerator[k] * base + (digit * factor + offset) % base;
+      node[k] = pcg(node[k] + 0x9e3779b9u * (digit + 1u));
+    }
+  for (uint k = 0; k < count; ++k) u[k] = fmin((float)numerator[k] * scale, 0x1.fffffep-1f);
 }
 
 #endif

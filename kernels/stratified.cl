@@ -23,19 +23,23 @@ float jittered(uint cell, uint cells, uint bits) {
   return (float)(uint)(position / cells) * 0x1p-24f;
 }
 
-// Point i < n of the set that `key` chooses, in [0,1)².
-float2 stratified_point(uint i, uint n, uint key) {
-  uint columns = integer_root(n);
-  uint rows = (n - 1u) / columns + 1u;
-  uint s = permute(i, n, key);
-  uint row = s / columns;
-  uint column = permute(s % columns, columns, pcg(key ^ 0x68bc21ebu) + row);
-  uint sub_column = permute(row, rows, pcg(key ^ 0x02e5be93u) + column);
-  uint4 jitter = pcg4d(i, n, key, 0x967a889bu);
-  float2 u;
-  u.x = jittered(column * rows + sub_column, columns * rows, jitter.x);
-  u.y = jittered(s, n, jitter.y);
-  return u;
+// Points i[k] < n of the sets that key[k] chooses, in [0,1)²; `count` of them, at most 16.
+INLINE void stratified_point(const uint* i, const uint* key, uint count, uint n, float* ux, float* uy) {
+  const uint columns = integer_root(n);
+  const uint rows = (n - 1u) / columns + 1u;
+  uint s[16], row[16], column[16], sub_column[16], column_key[16], sub_column_key[16];
+  for (uint k = 0; k < count; ++k) s[k] = i[k];
+  permute(s, key, count, n);
+  for (uint k = 0; k < count; ++k) row[k] = sub_column[k] = s[k] / columns, column[k] = s[k] % columns;
+  for (uint k = 0; k < count; ++k) column_key[k] = pcg(key[k] ^ 0x68bc21ebu) + row[k];
+  permute(column, column_key, count, columns);
+  for (uint k = 0; k < count; ++k) sub_column_key[k] = pcg(key[k] ^ 0x02e5be93u) + column[k];
+  permute(sub_column, sub_column_key, count, rows);
+  for (uint k = 0; k < count; ++k) {
+    const uint4 jitter = pcg4d(i[k], n, key[k], 0x967a889bu);
+    ux[k] = jittered(column[k] * rows + sub_column[k], columns * rows, jitter.x);
+    uy[k] = jittered(s[k], n, jitter.y);
+  }
 }
 
 #endif

@@ -71,7 +71,7 @@ __kernel void warp_map_pdf(uint repeats, float exponent, __global float* out) {
   out[id] = sum;
 }
 
-// One camera sample of pixel `id`, `repeats` directions.
+// One camera sample of pixel `id`, `repeats` directions, 16 at a time as `occlusion` makes them.
 __kernel void sampler_directions(uint repeats, float seed, __global float* out) {
   const uint id = get_global_id(0);
   EstimatorParams p;
@@ -80,6 +80,13 @@ __kernel void sampler_directions(uint repeats, float seed, __global float* out) 
   p.seed = (uint)seed;
   p.width = 1024;
   float2 sum = (float2)(0.0f);
-  for (uint i = 0; i < repeats; ++i) sum += sample_direction(id, 3, i, &p);
+  uint pixels[16], samples[16], directions[16];
+  for (uint k = 0; k < 16u; ++k) pixels[k] = id, samples[k] = 3;
+  for (uint i = 0; i < repeats; i += 16u) {
+    float x[16], y[16];
+    for (uint k = 0; k < 16u; ++k) directions[k] = i + k;
+    sample_directions(pixels, samples, directions, 16u, &p, x, y);
+    for (uint k = 0; k < 16u; ++k) sum += (float2)(x[k], y[k]);
+  }
   out[id] = sum.x + sum.y;
 }

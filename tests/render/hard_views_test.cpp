@@ -76,12 +76,11 @@ TEST_P(HardViews, NonFinitePointsAreCountedAndKeptOut) {
 TEST_P(HardViews, EndsOfTheSquare) {
   const PathTracer::KernelSource ends = [](const std::string& file) {
     return mutate(kernel_source(file),
-                  "    uint4 h = pcg4d(pixel, sample, direction, p->seed);\n"
-                  "    u.x = uint_to_unit_float(h.x);\n"
-                  "    u.y = uint_to_unit_float(h.y);\n",
-                  "    const float ends[3] = {0.0f, 0x1p-24f, 1.0f - 0x1p-24f};\n"
-                  "    u.x = ends[index % 3u];\n"
-                  "    u.y = ends[index / 3u % 3u];\n");
+                  "      ux[k] = uint_to_unit_float(h.x);\n"
+                  "      uy[k] = uint_to_unit_float(h.y);\n",
+                  "      const float ends[3] = {0.0f, 0x1p-24f, 1.0f - 0x1p-24f};\n"
+                  "      ux[k] = ends[index[k] % 3u];\n"
+                  "      uy[k] = ends[index[k] / 3u % 3u];\n");
   };
   Case box(closed_box(2)), floor(square(100));
   box.scene.camera = {{0, 0, 0.5f}, {0.2f, 0.1f, -1}, {0, 1, 0}, 60};

@@ -56,10 +56,7 @@ std::vector<Mutant> mutants() {
            "in_frame = square_to_hemisphere(u);\n    weight", "in_frame = square_to_sphere(u);\n    weight"},
           {"flipped normal", cosine, wall, wall_value, "*direction = to_world(&frame, in_frame);",
            "*direction = -to_world(&frame, in_frame);"},
-          {"shared u and v", cosine, wall, wall_value,
-           "u.y = uint_to_unit_float(h.y);\n  }\n  if (SAMPLER == SAMPLER_STRATIFIED)\n    u = "
-           "stratified_point(index",
-           "u.y = u.x;\n  }\n  if (SAMPLER == SAMPLER_STRATIFIED)\n    u = stratified_point(index"},
+          {"shared u and v", cosine, wall, wall_value, "uy[k] = uint_to_unit_float(h.y);", "uy[k] = ux[k];"},
           {"lobe about the view, not its mirror",
            lobe,
            {Shape::wall, {1, INFINITY, 1, 0}, INFINITY, 10, view_for_mirror_angle(pi / 4)},

@@ -81,7 +81,8 @@ vec2 host_sample_direction(Sampler sampler, std::uint32_t pixel, std::uint32_t s
 }
 
 std::uint32_t host_permute(std::uint32_t i, std::uint32_t n, std::uint32_t key) {
-  return k::permute(i, n, key);
+  k::permute(&i, &key, 1, n);
+  return i;
 }
 
 std::uint32_t host_sobol(std::uint32_t index, unsigned dimension) {
