@@ -31,7 +31,7 @@ void clear_keys(RayKeys* keys) {
 
 // Rays that a loop makes together: those behind the last are made from whatever the keys hold.
 #define POINTS_TOGETHER (TRAVERSAL_SCALAR ? 1u : 16u)
-#define DIRECTIONS_TOGETHER (TRAVERSAL_SCALAR || EFFECT == EFFECT_REFLECTION ? 1u : 16u)
+#define DIRECTIONS_TOGETHER (TRAVERSAL_SCALAR || (EFFECT == EFFECT_REFLECTION && SAMPLING != SAMPLING_LOBE) ? 1u : 16u)
 
 // One direction at a surface point; returns its weight w with E[w V] the effect's value, 0 if it needs no ray.
 INLINE float sample_effect(float2 u, float3 normal, float3 view, float exponent, const EstimatorParams* p, float3* direction) {

@@ -15,7 +15,16 @@
 
 #include "config.h"
 #include "frame.cl"
+#include "inline.h"
 #include "warp.cl"
+
+float cosine_between(float3 a, float3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+// v mirrored about n.
+float3 mirror_direction(float3 n, float3 v) {
+  float twice = 2.0f * cosine_between(n, v);
+  return (float3)(twice * n.x - v.x, twice * n.y - v.y, twice * n.z - v.z);
+}
 
 // cos^n of the angle between unit vectors a and b; 0 from a right angle on, also for n = 0. With the chord d = |a - b|,
 // cos = 1 - d²/2, whose logarithm is accurate where a.b rounds to 1.
@@ -34,8 +43,8 @@ float lobe_share(float exponent) {
 
 // One direction (unit, world) from u in [0,1)²; normal and view are unit vectors, exponent in [0, 1e7]. Returns its weight;
 // 0: do not trace.
-float reflection_sample(float2 u, float3 normal, float3 view, float exponent, float3* direction) {
-  float3 mirror = 2.0f * dot(normal, view) * normal - view;
+INLINE float reflection_sample(float2 u, float3 normal, float3 view, float exponent, float3* direction) {
+  float3 mirror = mirror_direction(normal, view);
   bool from_lobe = SAMPLING == SAMPLING_LOBE;
   float share = lobe_share(exponent);
   if (SAMPLING == SAMPLING_MIXTURE) {
@@ -51,13 +60,13 @@ float reflection_sample(float2 u, float3 normal, float3 view, float exponent, fl
     in_frame = square_to_sphere(u);
   else
     in_frame = square_to_cosine_hemisphere(u);
-  Frame frame = frame_about(from_lobe ? mirror : normal);
+  Frame frame = frame_about((float3)(from_lobe ? mirror.x : normal.x, from_lobe ? mirror.y : normal.y, from_lobe ? mirror.z : normal.z));
   float3 w = to_world(&frame, in_frame);
   *direction = w;
 
-  float cosine = dot(normal, w);
+  float cosine = cosine_between(normal, w);
+  if (SAMPLING == SAMPLING_LOBE) return cosine > 0.0f ? (exponent + 2.0f) / (exponent + 1.0f) * cosine : 0.0f;
   if (!(cosine > 0.0f)) return 0.0f;
-  if (SAMPLING == SAMPLING_LOBE) return (exponent + 2.0f) / (exponent + 1.0f) * cosine;
   float lobe = cosine_power(mirror, w, exponent);
   if (SAMPLING == SAMPLING_HEMISPHERE) return (exponent + 2.0f) * lobe * cosine;
   if (SAMPLING == SAMPLING_SPHERE) return 2.0f * (exponent + 2.0f) * lobe * cosine;

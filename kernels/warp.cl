@@ -9,6 +9,9 @@
 #ifndef NOOK_WARP_CL
 #define NOOK_WARP_CL
 
+// The same bits wherever it is included, and for one direction or 16.
+#pragma OPENCL FP_CONTRACT OFF
+
 #define INV_PI 0.31830988618379067f
 #define FOUR_OVER_PI 1.2732395447351628f
 #define ONE_MINUS_EPSILON 0x1.fffffep-1f
@@ -105,13 +108,41 @@ float log_cosine(float3 w) {
   return s2 < 0.5f ? 0.5f * log1p(-s2) : log(w.z);
 }
 
+// log(1 - r²) for r in [0, 1 - 2^-24]: 1 - r² = 2^k (1 + f), f in [sqrt(1/2) - 1, sqrt(2) - 1]. Chebyshev fit of relative error 4e-9; log 2
+// in two parts, the first of which is exact times k. Relative error below 3e-7.
+float log_one_minus_square(float r) {
+  uint bits = as_uint((1.0f - r) * (1.0f + r)) - 0x3f3504f3u;  // of sqrt(1/2)
+  float k = (float)(as_int(bits) >> 23);
+  float f = k == 0.0f ? -(r * r) : as_float((bits & 0x007fffffu) + 0x3f3504f3u) - 1.0f;
+  float q = fma(fma(fma(fma(7.149753891e-02f, f, -1.157120073e-01f), f, 1.166151107e-01f), f, -1.241105068e-01f), f, 1.424993653e-01f);
+  q = fma(fma(fma(fma(q, f, -1.666848024e-01f), f, 2.000070748e-01f), f, -2.499998905e-01f), f, 3.333333119e-01f);
+  float square = f * f;
+  float small = fma(square * f, q, fma(-0.5f, square, k * 1.42860682e-06f));
+  return fma(k, 0.693145752f, f + small);
+}
+
+// e^x for x in [-80, 0] in two forms, each to its own relative accuracy: e^x and 1 - e^x. x = k log 2 + t, |t| <= log(2)/2; Chebyshev fit
+// of e^t - 1 of relative error 6e-10.
+float exp_and_rest(float x, float* rest) {
+  float k = rint(x * 1.44269504f);
+  float t = fma(k, -1.42860682e-06f, fma(k, -0.693145752f, x));
+  float q = fma(fma(fma(fma(fma(1.989928785e-04f, t, 1.393365249e-03f), t, 8.333298466e-03f), t, 4.166646490e-02f), t, 1.666666672e-01f), t,
+                5.000000013e-01f);
+  float less = fma(t * t, q, t);
+  float scale = as_float((uint)((int)k + 127) << 23);  // 2^k
+  *rest = fma(-scale, less, 1.0f - scale);
+  return fma(scale, less, scale);
+}
+
 // Cosine-power (Phong) lobe, density (n+1)/(2 pi) cos^n(theta), n >= 0: 1 - r² = cos^(n+1)(theta).
+// sin² = (1 - cos)(1 + cos), 1 - cos as accurate as cos itself. No builtin that devices round differently but sqrt.
 float3 square_to_cosine_power(float2 u, float exponent) {
   float2 azimuth;
   float r = square_to_polar(u, &azimuth);
-  float log_rest = r * r < 0.5f ? log1p(-r * r) : log((1.0f - r) * (1.0f + r));
-  float l = log_rest / (exponent + 1.0f);
-  return (float3)(sqrt(-expm1(2.0f * l)) * azimuth, exp(l));
+  float one_minus_cosine;
+  float cosine = exp_and_rest(log_one_minus_square(r) / (exponent + 1.0f), &one_minus_cosine);
+  float sine = sqrt(one_minus_cosine * (1.0f + cosine));
+  return (float3)(sine * azimuth.x, sine * azimuth.y, cosine);
 }
 
 float2 cosine_power_to_square(float3 w, float exponent) {

@@ -193,10 +193,11 @@ TEST(WarpMutants, AreRejected) {
   };
   const WarpCase power10{Warp::cosine_power, 10, "cosine power 10"};
   const std::vector<Mutation> mutations{
-      {"lobe sampled with n + 2", "log_rest / (exponent + 1.0f)", "log_rest / (exponent + 2.0f)", power10},
+      {"lobe sampled with n + 2", "log_one_minus_square(r) / (exponent + 1.0f)",
+       "log_one_minus_square(r) / (exponent + 2.0f)", power10},
       {"lobe's sine from 1 - cos²",
-       "sqrt(-expm1(2.0f * l))",
-       "sqrt(1.0f - exp(l) * exp(l))",
+       "sqrt(one_minus_cosine * (1.0f + cosine))",
+       "sqrt(1.0f - cosine * cosine)",
        {Warp::cosine_power, 1e7f, "cosine power 1e7"}},
       {"hemisphere for cosine",
        "(float3)(r * azimuth.x, r * azimuth.y, sqrt((1.0f - r) * (1.0f + r)))",

@@ -130,7 +130,7 @@ TEST(ImageMutants, AreRejected) {
       {"no foreshortening", EffectKind::ro, Sampling::lobe, "occlusion.cl",
        "(exponent + 2.0f) / (exponent + 1.0f) * cosine", "(exponent + 2.0f) / (exponent + 1.0f)"},
       {"lobe about the view", EffectKind::ro, Sampling::lobe, "occlusion.cl",
-       "2.0f * dot(normal, view) * normal - view", "view"},
+       "mirror_direction(normal, view)", "view"},
       {"brighter by 1 %", EffectKind::ro, Sampling::lobe, "occlusion.cl",
        "(exponent + 2.0f) / (exponent + 1.0f) * cosine",
        "1.01f * (exponent + 2.0f) / (exponent + 1.0f) * cosine"}};
