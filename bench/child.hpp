@@ -15,9 +15,15 @@ struct ChildTimes {
 };
 
 /// Runs a program to its end, its output going where ours goes; `environment` is added to ours. Throws
-/// Error(internal) if it cannot be started or fails.
+/// Error(internal) if it cannot be started or fails. It is started by a small process in between
+/// (run_and_report): the peak that the kernel counts for a program begins with that of who started it.
 ChildTimes run_child(const std::vector<std::string>& command,
                      const std::map<std::string, std::string>& environment = {});
+
+/// nook_bench's own command for the process in between: FILE for the times, then the program and its
+/// arguments. Returns its exit code.
+constexpr const char* child_command = "run-child";
+int run_and_report(int argc, char** argv);
 
 /// A program of this build: it lies beside this one.
 std::filesystem::path program_beside(const std::string& name);

@@ -1,7 +1,9 @@
 // nook_bench: see bench/README.md.
 #include <cstdio>
+#include <string_view>
 
 #include "base/error.hpp"
+#include "child.hpp"
 #include "effects.hpp"
 #include "end_to_end.hpp"
 #include "instances.hpp"
@@ -12,6 +14,8 @@
 #include "tree.hpp"
 
 int main(int argc, char** argv) {
+  if (argc > 2 && std::string_view(argv[1]) == nook::bench::child_command)
+    return nook::bench::run_and_report(argc - 2, argv + 2);
   std::setvbuf(stdout, nullptr, _IOLBF, 0);  // results as they come, into a file too
   CLI::App app{"Benchmarks of nook against Embree"};
   app.require_subcommand(1);

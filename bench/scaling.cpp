@@ -8,8 +8,11 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "base/embedded_file.hpp"
+#include "base/error.hpp"
 #include "bvh/bvh.hpp"
 #include "child.hpp"
+#include "device/kernel_source.hpp"
 #include "mesh/ply.hpp"
 #include "record.hpp"
 #include "render/path_tracer.hpp"
@@ -17,6 +20,11 @@
 #include "stopwatch.hpp"
 
 namespace nook::bench {
+
+namespace kernels {
+extern const EmbeddedFile files[];  // occlusion.cl, moller_trumbore.cl
+}
+
 namespace {
 
 struct Settings {
@@ -126,10 +134,26 @@ void run_sweeps(const Settings& s) {
 struct Option {
   const char* name;
   std::function<void(Scene&)> change = [](Scene&) {};
-  const char* define = nullptr;
+  std::function<std::string(std::string)> kernels = [](std::string source) { return source; };
   Traversal traversal = Traversal::automatic;
   bool smooth = false;
 };
+
+/// kernels/occlusion.cl with the triangle test of kernels/moller_trumbore.cl.
+std::string not_watertight(std::string source) {
+  const auto replace = [&](const std::string& find, const std::string& by) {
+    const std::size_t at = source.find(find);
+    if (at == std::string::npos) throw Error(ExitCode::internal, "`" + find + "` is not in the kernels");
+    source.replace(at, find.size(), by);
+  };
+  const std::string place = "// A tree of one node:";
+  if (source.find(place) == std::string::npos || source.find("__kernel void occlusion(") == std::string::npos)
+    return source;  // primary.cl
+  replace(place, kernels::files[1].text + place);
+  replace("leaf_occludes(leaf, rays, k)", "leaf_occludes_loosely(leaf, origins, d, k, max_distance)");
+  replace("leaf_occludes(leaf, &rays, k)", "leaf_occludes_loosely(leaf, origins, d, k, max_distance)");
+  return source;
+}
 
 std::vector<Option> options() {
   const auto sampler = [](Sampler chosen) { return [chosen](Scene& s) { s.sampler = chosen; }; };
@@ -154,7 +178,9 @@ std::vector<Option> options() {
           {"distance 1", effect([](Effect& e) {
              e.max_distance = {DistanceLimit::Kind::value, 1.0f};
            })},
-          {.name = "portable path", .define = "TRAVERSAL_PORTABLE"},
+          {.name = "triangle test not watertight", .kernels = not_watertight},
+          {.name = "portable path",
+           .kernels = [](std::string source) { return "#define TRAVERSAL_PORTABLE 1\n" + source; }},
           {.name = "one ray a work-item", .traversal = Traversal::scalar}};
 }
 
@@ -204,9 +230,7 @@ void run_options(const Settings& s) {
     const TriangleMesh& mesh = option.smooth ? smooth : bench.mesh;
     Candidate& made = candidates.emplace_back();
     made.plan = make_plan(changed, mesh);
-    const auto source = [&](const std::string& file) {
-      return (option.define ? std::string("#define ") + option.define + " 1\n" : "") + kernel_source(file);
-    };
+    const auto source = [&](const std::string& file) { return option.kernels(kernel_source(file)); };
     made.tracer = std::make_unique<PathTracer>(device, made.plan, mesh, bvh, source, option.traversal);
   }
   const std::vector<std::uint32_t> pixels = pixels_in_order(candidates[0].plan.window, scene.width);
@@ -220,7 +244,7 @@ void run_options(const Settings& s) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Candidate& c = candidates[i];
     const auto [least, most] = std::minmax_element(c.ratios.begin(), c.ratios.end());
-    std::printf("%-22s %7.3f s, %.2f of the base's time [%.2f, %.2f]\n", all[i].name, median(c.seconds),
+    std::printf("%-30s %7.3f s, %.2f of the base's time [%.2f, %.2f]\n", all[i].name, median(c.seconds),
                 median(c.ratios), *least, *most);
     append_record(s.options_output, {{"bench", "options"},
                                      {"option", all[i].name},
