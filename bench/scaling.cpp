@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
+#include <utility>
 
 #include "base/embedded_file.hpp"
 #include "base/error.hpp"
@@ -71,6 +72,7 @@ class Sweep {
                                               std::to_string(threads),
                                               "--no-png",
                                               "--quiet"};
+    if (!std::exchange(kernels_in_cache_, true)) run_child(command);
     std::vector<double> seconds;
     nlohmann::json stats;
     double memory = 0;
@@ -111,6 +113,7 @@ class Sweep {
   std::string scene_name_;
   BenchScene scene_;
   std::size_t triangles_ = 0;
+  bool kernels_in_cache_ = false;
 };
 
 void run_sweeps(const Settings& s) {
