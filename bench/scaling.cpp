@@ -152,7 +152,8 @@ std::string not_watertight(std::string source) {
   const std::string place = "// A tree of one node:";
   if (source.find(place) == std::string::npos || source.find("__kernel void occlusion(") == std::string::npos)
     return source;  // primary.cl
-  replace(place, kernels::files[1].text + place);
+  const std::string test = kernels::files[1].text;
+  replace(place, test.substr(test.find("//")) + place);  // less its include: the kernels have it
   replace("leaf_occludes(leaf, rays, k)", "leaf_occludes_loosely(leaf, origins, d, k, max_distance)");
   replace("leaf_occludes(leaf, &rays, k)", "leaf_occludes_loosely(leaf, origins, d, k, max_distance)");
   return source;

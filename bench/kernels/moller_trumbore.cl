@@ -1,3 +1,5 @@
+#include "stream_tests.cl"
+
 // A triangle test that is not watertight, to be measured in place of leaf_occludes() (kernels/stream_tests.cl): Möller and Trumbore
 // 1997, "Fast, Minimum Storage Ray-Triangle Intersection". o + t d = p0 + u (p1 - p0) + v (p2 - p0); multiplied by det instead of divided.
 // -1 in the lanes of triangles that ray k meets at 0 < t < limit, else 0.

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "base/error.hpp"
+#include "device/pocl_folder.hpp"
 
 namespace nook {
 namespace {
@@ -112,6 +113,8 @@ void limit_threads(unsigned threads) {
 }
 
 Device::Device(const DeviceInfo& info) : info_(info) {
+  if (info.platform_name == "Portable Computing Language" && !problem_of_pocl_folder().empty())
+    throw Error(ExitCode::output, problem_of_pocl_folder());
   cl_int code = CL_SUCCESS;
   const cl_context_properties properties[] = {CL_CONTEXT_PLATFORM, cl_context_properties(info.platform), 0};
   context_ = ClContext(opencl().clCreateContext(properties, 1, &info_.id, nullptr, nullptr, &code));

@@ -5,7 +5,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <string>
 
@@ -57,6 +59,26 @@ int make_lock(const fs::path& folder, fs::path& lock) {
   return -1;
 }
 
+// PoCL ends the process where it cannot write its files, some hundred kilobytes each.
+int error_of_room_in(const fs::path& folder) {
+  constexpr int files = 4;
+  constexpr off_t bytes = 1 << 20;
+  int error = 0;
+  for (int i = 0; i < files && error == 0; ++i) {
+    const int file = open((folder / std::to_string(i)).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    if (file < 0) {
+      error = errno;
+    } else {
+      error = posix_fallocate(file, 0, bytes);
+      close(file);
+    }
+  }
+  std::error_code ignored;
+  for (int i = 0; i < files; ++i) fs::remove(folder / std::to_string(i), ignored);
+  return error;
+}
+
+std::string problem;
 fs::path lock_of_this_process;
 pid_t process_of_lock;
 
@@ -77,6 +99,8 @@ void give_pocl_its_own_folder() {
     remove_folder(lock);
     return;
   }
+  if (const int error = error_of_room_in(folder_of(lock)))
+    problem = folder.string() + ": " + std::strerror(error) + ": PoCL has no room for its files there";
   lock_of_this_process = lock;
   process_of_lock = getpid();
   // PoCL is loaded later, so what it does at the end comes before this.
@@ -84,6 +108,10 @@ void give_pocl_its_own_folder() {
     if (getpid() == process_of_lock) remove_folder(lock_of_this_process);
   });
   setenv("POCL_CACHE_DIR", folder_of(lock).c_str(), 1);
+}
+
+const std::string& problem_of_pocl_folder() {
+  return problem;
 }
 
 }  // namespace nook

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 namespace nook {
 
 /// Makes a folder for PoCL's intermediate files, of this process alone and removed when it ends, and names it
@@ -8,5 +10,9 @@ namespace nook {
 /// keeping is in nook's own cache, with checksums (program_cache.hpp). Folders that killed processes left
 /// behind are removed. Does nothing where POCL_CACHE_DIR is set, or where no folder can be made.
 void give_pocl_its_own_folder();
+
+/// One line that names the folder, if it has no room for PoCL's files, which would end the process; else
+/// empty.
+const std::string& problem_of_pocl_folder();
 
 }  // namespace nook

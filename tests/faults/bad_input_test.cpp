@@ -42,7 +42,7 @@ TEST_P(BadInputTest, OneLineAndItsExitCode) {
   for (const std::string& command : row.before) {
     setting.arguments = words(command);
     ProgramSetting clean = setting;
-    clean.environment.clear();
+    std::erase_if(clean.environment, [](const auto& entry) { return entry.first != "POCL_CACHE_DIR"; });
     clean.file_size = RLIM_INFINITY;
     const ProgramResult made = run_program(NOOK_PROGRAM, clean);
     ASSERT_EQ(made.code, 0) << command << ": " << made.err;

@@ -1,3 +1,5 @@
+#include <cstdlib>
+
 #include "row_kinds.hpp"
 
 namespace nook::test {
@@ -8,6 +10,9 @@ std::vector<BadInput> output_rows() {
   const auto remove_first = [](const std::filesystem::path& folder) {
     std::filesystem::remove(folder / "out.exr");
   };
+  const char* cache = std::getenv("XDG_CACHE_HOME");
+  const std::vector<std::pair<std::string, std::string>> pocl_writes_nothing = {
+      {"POCL_CACHE_DIR", std::string(cache ? cache : "/tmp") + "/pocl-of-full-disks"}};
   return {
       {"output folder missing", "render scene.toml -o none/out.exr --quiet", 6,
        "the folder none does not exist"},
@@ -31,12 +36,23 @@ std::vector<BadInput> output_rows() {
        {},
        {warm},
        remove_first,
-       {},
+       pocl_writes_nothing,
        4096},
       {"disk full at the checkpoint",
        render + " --size 256x256 --checkpoint c.nook",
        6,
        "c.nook: File too large",
+       {},
+       {},
+       {},
+       {warm},
+       remove_first,
+       pocl_writes_nothing,
+       4096},
+      {"disk full at PoCL's files",
+       render + " --size 256x256",
+       6,
+       "pocl: File too large: PoCL has no room",
        {},
        {},
        {},
