@@ -71,7 +71,8 @@ ChildTimes run_child(const std::vector<std::string>& command,
       !wait_for(pid, status, usage) || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
     throw Error(ExitCode::internal, command[0] + " cannot be started, or failed");
   ChildTimes times;
-  std::ifstream(report) >> times.wall_seconds >> times.cpu_seconds >> times.peak_bytes;
+  if (!(std::ifstream(report) >> times.wall_seconds >> times.cpu_seconds >> times.peak_bytes))
+    throw Error(ExitCode::internal, command[0] + " ran, but its times are not known");
   return times;
 }
 

@@ -20,8 +20,8 @@ struct ChildTimes {
 ChildTimes run_child(const std::vector<std::string>& command,
                      const std::map<std::string, std::string>& environment = {});
 
-/// nook_bench's own command for the process in between: FILE for the times, then the program and its
-/// arguments. Returns its exit code.
+/// nook_bench's own command for the process in between: its arguments are FILE, where the times are written,
+/// and the program with its arguments. Returns 0, or 1 if the program or the file failed.
 constexpr const char* child_command = "run-child";
 int run_and_report(int argc, char** argv);
 

@@ -41,6 +41,7 @@ INLINE float sample_effect(float2 u, float3 normal, float3 view, float exponent,
 }
 
 // Directions and weights of the first `count` rays. Returns those for which both are finite; *active: those with a weight above 0 besides.
+// In both, the bits behind the first `count` mean nothing.
 INLINE uint make_directions(const RayKeys* keys, uint count, const EstimatorParams* p, RayDirections* d, float* weight, uint* active) {
   float ux[32], uy[32];
   for (uint k = 0; k < count; k += POINTS_TOGETHER)

@@ -135,7 +135,7 @@ float exp_and_rest(float x, float* rest) {
 }
 
 // Cosine-power (Phong) lobe, density (n+1)/(2 pi) cos^n(theta), n >= 0: 1 - r² = cos^(n+1)(theta).
-// sin² = (1 - cos)(1 + cos), 1 - cos as accurate as cos itself. No builtin that devices round differently but sqrt.
+// sin² = (1 - cos)(1 + cos), 1 - cos as accurate as cos itself. Of what devices round differently only sqrt and the divisions are left.
 float3 square_to_cosine_power(float2 u, float exponent) {
   float2 azimuth;
   float r = square_to_polar(u, &azimuth);

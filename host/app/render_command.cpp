@@ -238,6 +238,7 @@ int render(const Scene& scene, const RenderOptions& options, Loaded& loaded) {
   record.scene_file = options.scene.scene.string();
   // Starting OpenCL takes longer than reading a small mesh, compiling about as long as building a tree.
   std::future<Device> opened;
+  if (!loaded.device) options.device.prepare();
   if (!loaded.device) opened = std::async(std::launch::async, [&] { return options.device.open(); });
   if (!loaded.mesh)
     loaded.mesh = load_scene_mesh(scene, needed_attributes(scene, aovs.needs_surface()), scene.instancing);

@@ -61,6 +61,7 @@ void RenderOptions::add_to(CLI::App& command) {
 StopTarget RenderOptions::check(const Scene& loaded) const {
   check_outputs(*this);
   const StopTarget stop = target.resolve(loaded, scene.spp.has_value());
+  if (stop.any()) check_samples(loaded, stop.max_spp);
   scene.check_applicable(loaded);
   const auto any = [&](auto kind) {
     return std::any_of(loaded.effects.begin(), loaded.effects.end(),

@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/threads.hpp"
+#include "device/pocl_folder.hpp"
 #include "film/exr.hpp"
 #include "render/plan.hpp"
 #include "scene/names.hpp"
@@ -140,6 +141,14 @@ void SceneOptions::add_to(CLI::App& command) {
       ->envname("NOOK_CROP");
 }
 
+void check_samples(const Scene& scene, std::uint64_t spp) {
+  const std::uint64_t samples = spp * scene.directions;
+  if (samples > most_samples_per_pixel)
+    throw Error(ExitCode::scene,
+                fmt::format("{}: {} camera rays x {} directions are {} samples a pixel, at most {}",
+                            scene.file.string(), spp, scene.directions, samples, most_samples_per_pixel));
+}
+
 Scene SceneOptions::load() const {
   Scene loaded = is_mesh(scene) ? scene_of_mesh(scene) : load_scene(scene);
   if (exponent && std::isnan(*exponent))
@@ -179,6 +188,7 @@ Scene SceneOptions::load() const {
   if (size) std::tie(loaded.width, loaded.height) = parse_size(*size);
   if (!crop.empty()) loaded.crop = PixelRect{crop[0], crop[2], crop[1], crop[3]};
   validate(loaded);
+  check_samples(loaded, loaded.spp);
   return loaded;
 }
 
@@ -231,10 +241,15 @@ void DeviceOptions::add_to(CLI::App& command) {
       ->envname("NOOK_THREADS");
 }
 
-Device DeviceOptions::open() const {
+void DeviceOptions::prepare() const {
   limit_threads(threads);
   limit_exr_threads(threads);
   limit_own_threads(threads);
+  give_pocl_its_own_folder();
+}
+
+Device DeviceOptions::open() const {
+  prepare();
   return Device(select_device(selector));
 }
 

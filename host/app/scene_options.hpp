@@ -40,8 +40,14 @@ struct DeviceOptions {
   unsigned threads = 0;
 
   void add_to(CLI::App& command);
-  Device open() const;
+  /// What must be settled before the device is opened, while no other thread runs: numbers of threads, and
+  /// environment variables for PoCL.
+  void prepare() const;
+  Device open() const;  ///< prepares, too
 };
+
+/// Throws Error(scene) if `spp` camera rays of the scene's directions are more than most_samples_per_pixel.
+void check_samples(const Scene& scene, std::uint64_t spp);
 
 /// The scene as TOML, every key with its value: what --print-config prints and the scene hash covers.
 std::string to_toml(const Scene& scene);

@@ -45,7 +45,7 @@ bool opencl_is_loaded() {
 
 std::string opencl_error_name(cl_int code) {
   switch (code) {
-// It wraps macros anew at each run.
+// clang-format wraps these macros anew at each run.
 // clang-format off
 #define NAME(code) case code: return #code;
     NAME(CL_SUCCESS) NAME(CL_DEVICE_NOT_FOUND) NAME(CL_DEVICE_NOT_AVAILABLE)

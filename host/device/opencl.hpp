@@ -10,7 +10,7 @@ namespace nook {
 
 // The OpenCL functions nook calls, loaded when first needed: a run without a path-traced effect never maps
 // libOpenCL.
-// It wraps macros anew at each run.
+// clang-format wraps these macros anew at each run.
 // clang-format off
 #define NOOK_OPENCL_FUNCTIONS(X) \
   X(clGetPlatformIDs) X(clGetPlatformInfo) X(clGetDeviceIDs) X(clGetDeviceInfo) X(clCreateContext) \

@@ -26,10 +26,11 @@ fs::path folder_of(const fs::path& lock) {
   return fs::path(lock).replace_extension();
 }
 
+// The lock goes last, and only if nothing is left: a folder without one would stay for ever.
 void remove_folder(const fs::path& lock) {
-  std::error_code ignored;
-  fs::remove_all(folder_of(lock), ignored);
-  fs::remove(lock, ignored);
+  std::error_code failed;
+  fs::remove_all(folder_of(lock), failed);
+  if (!failed) fs::remove(lock, failed);
 }
 
 void remove_what_was_left(const fs::path& folder) {
@@ -44,7 +45,7 @@ void remove_what_was_left(const fs::path& folder) {
   }
 }
 
-// An open, locked file of a name of its own; -1 if none can be made. It stays open until the process ends.
+// An open, locked file of a name of its own, or -1 and errno. It stays open until the process ends.
 int make_lock(const fs::path& folder, fs::path& lock) {
   for (int attempt = 0; attempt < 8; ++attempt) {
     std::string name = (folder / "run-XXXXXX").string() + lock_suffix;
@@ -52,35 +53,49 @@ int make_lock(const fs::path& folder, fs::path& lock) {
     if (file < 0) return -1;
     lock = name;
     struct stat status;
+    const bool locked = flock(file, LOCK_EX | LOCK_NB) == 0;
+    const int error = errno;
     // Another process may have taken it for a dead one's before it was locked.
-    if (flock(file, LOCK_EX | LOCK_NB) == 0 && fstat(file, &status) == 0 && status.st_nlink == 1) return file;
+    if (locked && fstat(file, &status) == 0 && status.st_nlink == 1) return file;
     close(file);
+    if (!locked && error != EWOULDBLOCK) {  // no locks here, so nobody else's either
+      unlink(name.c_str());
+      errno = error;
+      return -1;
+    }
   }
   return -1;
 }
 
-// PoCL ends the process where it cannot write its files, some hundred kilobytes each.
+bool is_full(int error) {
+  return error == ENOSPC || error == EDQUOT || error == EFBIG;
+}
+
+// PoCL ends the process where it cannot write its files, some hundred kilobytes each. The error that says so,
+// or 0.
 int error_of_room_in(const fs::path& folder) {
   constexpr int files = 4;
   constexpr off_t bytes = 1 << 20;
   int error = 0;
-  for (int i = 0; i < files && error == 0; ++i) {
+  for (int i = 0; i < files && !is_full(error); ++i) {
     const int file = open((folder / std::to_string(i)).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-    if (file < 0) {
-      error = errno;
-    } else {
-      error = posix_fallocate(file, 0, bytes);
-      close(file);
-    }
+    error = file < 0 ? errno : posix_fallocate(file, 0, bytes);
+    if (file >= 0) close(file);
   }
   std::error_code ignored;
   for (int i = 0; i < files; ++i) fs::remove(folder / std::to_string(i), ignored);
-  return error;
+  return is_full(error) ? error : 0;
 }
 
 std::string problem;
 fs::path lock_of_this_process;
 pid_t process_of_lock;
+
+// In a folder of its own choice PoCL would meet the same disk, and trust what it finds there.
+void note_if_full(const fs::path& folder, int error) {
+  if (is_full(error))
+    problem = folder.string() + ": " + std::strerror(error) + ": PoCL has no room for its files there";
+}
 
 }  // namespace
 
@@ -91,19 +106,18 @@ void give_pocl_its_own_folder() {
   const fs::path folder = cache / "pocl";
   std::error_code failed;
   fs::create_directories(folder, failed);
-  if (failed) return;
+  if (failed) return note_if_full(folder, failed.value());
   remove_what_was_left(folder);
   fs::path lock;
-  if (make_lock(folder, lock) < 0) return;
+  if (make_lock(folder, lock) < 0) return note_if_full(folder, errno);
   if (!fs::create_directory(folder_of(lock), failed)) {
     remove_folder(lock);
-    return;
+    return note_if_full(folder, failed.value());
   }
-  if (const int error = error_of_room_in(folder_of(lock)))
-    problem = folder.string() + ": " + std::strerror(error) + ": PoCL has no room for its files there";
+  note_if_full(folder, error_of_room_in(folder_of(lock)));
   lock_of_this_process = lock;
   process_of_lock = getpid();
-  // PoCL is loaded later, so what it does at the end comes before this.
+  // PoCL is loaded later, so its own exit handlers run before this one.
   std::atexit([] {
     if (getpid() == process_of_lock) remove_folder(lock_of_this_process);
   });

@@ -12,6 +12,10 @@
 
 namespace nook {
 
+/// Samples a pixel may get, camera rays times directions: each adds up to 2^34 to a sum, which is signed for
+/// bent normals, and the samplers number them in 32 bits.
+constexpr std::uint64_t most_samples_per_pixel = std::uint64_t(1) << 28;
+
 /// One effect as it will be computed.
 struct EffectPlan {
   Effect effect;
