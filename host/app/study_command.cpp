@@ -226,6 +226,11 @@ int study(const StudyOptions& options) {
     throw Error(ExitCode::interrupted,
                 fmt::format("interrupted; the same command goes on from {}", json.string()));
   say(fmt::format("{:.0f} % of the runs", 100 * made.progress()));
+  if (const std::size_t missing = made.methods_without_runs())
+    fmt::print(stderr,
+               "warning: the budget of {} s ended before {} of {} methods had a run (building their kernels "
+               "counts); the same command goes on from {}\n",
+               options.budget, missing, made.methods().size(), json.string());
 
   Gallery gallery;
   if (options.gallery) {

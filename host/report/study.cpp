@@ -90,6 +90,13 @@ double Study::progress() const {
   return wanted > 0 ? made / wanted : 1;
 }
 
+std::size_t Study::methods_without_runs() const {
+  std::vector<bool> has_run(methods_.size());
+  for (std::size_t p = 0; p < points_.size(); ++p)
+    if (!points_[p].runs.empty()) has_run[slots_[p].method] = true;
+  return std::size_t(std::count(has_run.begin(), has_run.end(), false));
+}
+
 void Study::measure(std::size_t p) {
   StudyPoint& point = points_[p];
   Slot& slot = slots_[p];

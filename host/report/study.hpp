@@ -96,6 +96,8 @@ class Study {
   const StudyReference& reference() const { return reference_; }
   /// Share of the runs wanted that are made.
   double progress() const;
+  /// Methods that no level of was run: time was short.
+  std::size_t methods_without_runs() const;
 
  private:
   struct Slot {

@@ -166,6 +166,14 @@ TEST(Study, KeepsToItsBudget) {
   int runs = 0;
   EXPECT_TRUE(study.run([&](const Study&) { return ++runs < 1000; }));
   EXPECT_EQ(runs, 1);
+  EXPECT_EQ(study.methods_without_runs(), 0u);
+}
+
+TEST(Study, CountsTheMethodsThatTimeWasTooShortFor) {
+  Study study({synthetic("one"), synthetic("two"), synthetic("three")}, reference(0), {.seconds = 60});
+  EXPECT_EQ(study.methods_without_runs(), 3u);
+  EXPECT_FALSE(study.run([](const Study&) { return false; }));  // after the first run
+  EXPECT_EQ(study.methods_without_runs(), 2u);
 }
 
 }  // namespace
