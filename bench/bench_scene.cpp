@@ -7,6 +7,7 @@
 #include <random>
 
 #include "base/error.hpp"
+#include "mesh/corner_order.hpp"
 #include "mesh/obj_loader.hpp"
 
 namespace nook::bench {
@@ -154,9 +155,7 @@ BenchScene from_file(const std::string& name, const std::string& path) {
   return scene;
 }
 
-}  // namespace
-
-BenchScene bench_scene(const std::string& name) {
+BenchScene made(const std::string& name) {
   if (name == "bunny") return bunny();
   if (name == "room") return room();
   if (name == "cornell") return cornell();
@@ -171,6 +170,14 @@ BenchScene bench_scene(const std::string& name) {
   if (std::filesystem::exists(name)) return from_file(std::filesystem::path(name).stem(), name);
   throw Error(ExitCode::usage,
               "unknown scene '" + name + "': bunny, room, cornell, spaceship or an OBJ file");
+}
+
+}  // namespace
+
+BenchScene bench_scene(const std::string& name) {
+  BenchScene scene = made(name);
+  end_with_longest_edges(scene.mesh);  // as a loader leaves it
+  return scene;
 }
 
 }  // namespace nook::bench

@@ -91,7 +91,8 @@ float forward_height(const ShearedTriangle* t, float inverse_z) {
 }
 
 float3 leaf_vertex(TREE_LEAF* leaf, uint vertex, uint lane) {
-  return (float3)(leaf->p[vertex][0][lane], leaf->p[vertex][1][lane], leaf->p[vertex][2][lane]);
+  const uint place = BVH_CORNER(vertex, lane);
+  return (float3)(leaf->p[0][place], leaf->p[1][place], leaf->p[2][place]);
 }
 
 // Whether the open segment o + t d, 0 < t < max_distance, meets the triangle, from either side; limit_z = max_distance |d[kz]|.

@@ -46,14 +46,14 @@ INLINE void open_placed_node(OpenedNode* opened, __global const BvhNode* node, _
   STORE_UINTS(opened->instance, (uint16)(instance));
 }
 
-// A leaf of the tree over the instances: lane i holds the placed mesh triangle[i], the lower corner of its box as p[0], the upper as
-// p[1]. As a node, its children are the roots of the meshes' trees.
+// A leaf of the tree over the instances: lane i holds the placed mesh triangle[i], point i is the lower corner of its box and point i + 8
+// the upper. As a node, its children are the roots of the meshes' trees.
 INLINE void open_instances(OpenedNode* opened, __global const TriangleLeaf* leaf, __global const PlacedMesh* instances) {
   for (uint axis = 0; axis < 3; ++axis)
     for (uint lane = 0; lane < BVH_WIDTH; ++lane) {
       const bool used = lane < BVH_LEAF_WIDTH && leaf->triangle[lane] != BVH_EMPTY;
-      opened->lo[axis][lane] = used ? leaf->p[0][axis][lane] : INFINITY;
-      opened->hi[axis][lane] = used ? leaf->p[1][axis][lane] : -INFINITY;
+      opened->lo[axis][lane] = used ? leaf->p[axis][lane] : INFINITY;
+      opened->hi[axis][lane] = used ? leaf->p[axis][BVH_LEAF_WIDTH + lane] : -INFINITY;
     }
   for (uint lane = 0; lane < BVH_WIDTH; ++lane) {
     const bool used = lane < BVH_LEAF_WIDTH && leaf->triangle[lane] != BVH_EMPTY;
@@ -82,13 +82,11 @@ INLINE void open_node(OpenedNode* opened, __global const BvhNode* nodes, __globa
 
 // A leaf of triangles, with their numbers in the scene.
 INLINE void open_leaf(PlacedLeaf* opened, __global const TriangleLeaf* leaf, __global const PlacedMesh* mesh) {
-  for (uint corner = 0; corner < 3; ++corner) {
-    const leaf_float x = LOAD_LEAF(leaf->p[corner][0]), y = LOAD_LEAF(leaf->p[corner][1]), z = LOAD_LEAF(leaf->p[corner][2]);
-    for (uint axis = 0; axis < 3; ++axis) {
-      __global const float* row = mesh->point[axis];
-      STORE_LEAF(opened->p[corner][axis], fma((leaf_float)(row[0]), x,
-                                              fma((leaf_float)(row[1]), y, fma((leaf_float)(row[2]), z, (leaf_float)(row[3])))));
-    }
+  const float16 x = vload16(0, leaf->p[0]), y = vload16(0, leaf->p[1]), z = vload16(0, leaf->p[2]);
+  for (uint axis = 0; axis < 3; ++axis) {
+    __global const float* row = mesh->point[axis];
+    STORE_FLOATS(opened->p[axis],
+                 fma((float16)(row[0]), x, fma((float16)(row[1]), y, fma((float16)(row[2]), z, (float16)(row[3])))));
   }
   const uint to_scene = mesh->first_triangle - mesh->mesh_triangle;
   for (uint lane = 0; lane < BVH_LEAF_WIDTH; ++lane) {

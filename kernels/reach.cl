@@ -135,9 +135,8 @@ INLINE bool leaf_in_reach(TREE_LEAF* leaf, const Reach* r) {
   leaf_float sum = 0.0f, high_0 = 0.0f, high_1 = 0.0f, high_2 = 0.0f;
 #define AXIS(axis, index)                                                                             \
   {                                                                                                   \
-    const leaf_float a = LOAD_LEAF(leaf->p[0][index]) - r->origin.axis;                               \
-    const leaf_float b = LOAD_LEAF(leaf->p[1][index]) - r->origin.axis;                               \
-    const leaf_float c = LOAD_LEAF(leaf->p[2][index]) - r->origin.axis;                               \
+    const float16 points = vload16(0, leaf->p[index]) - r->origin.axis;                               \
+    const leaf_float a = FIRST_CORNERS(points), b = SECOND_CORNERS(points), c = THIRD_CORNERS(points); \
     high_0 += r->normal.axis * a, high_1 += r->normal.axis * b, high_2 += r->normal.axis * c;         \
     const leaf_float least = a < b ? a : b, most = a > b ? a : b;                                     \
     const leaf_float lo = least < c ? least : c, hi = most > c ? most : c;                            \

@@ -11,14 +11,13 @@ typedef struct {
   float ix[32], iy[32], iz[32];             // 1/d
   uint near_x[32], near_y[32], near_z[32];  // BvhNode planes that the ray enters through
   float shear_x[32], shear_y[32];           // RayShear
-  uint row_x[32], row_y[32], row_z[32];     // TriangleLeaf.p[0] rows of the RayShear axes
+  uint row_x[32], row_y[32], row_z[32];     // TriangleLeaf.p: rows of the RayShear axes
   float row_ox[32], row_oy[32], row_oz[32];  // the origin along them
   float inverse_z[32];                      // 1/d[kz]
   float limit_z[32];                        // max_distance |d[kz]|
 } StreamRays;
 
 #define HI_PLANES (3u * BVH_WIDTH)    // BvhNode.hi behind BvhNode.lo
-#define VERTEX_ROWS (3u * BVH_LEAF_WIDTH)  // TriangleLeaf.p[1] behind p[0]
 #define SIGN_BIT 0x80000000u
 
 // Rays [first, first + 16), as shear_ray() does it for one.
@@ -43,7 +42,7 @@ void prepare_rays(StreamRays* r, const RayDirections* origins, const RayDirectio
   STORE_FLOATS(r->shear_x + first, -((along_z ? x : along_y ? z : y) * inverse_z));
   STORE_FLOATS(r->shear_y + first, -((along_z ? y : along_y ? x : z) * inverse_z));
   STORE_FLOATS(r->limit_z + first, max_distance * (along_z ? az : along_y ? ay : ax));
-  const uint16 row1 = (uint16)(BVH_LEAF_WIDTH), row2 = (uint16)(2u * BVH_LEAF_WIDTH);
+  const uint16 row1 = (uint16)(2u * BVH_LEAF_WIDTH), row2 = (uint16)(4u * BVH_LEAF_WIDTH);
   STORE_UINTS(r->row_z + first, along_z ? row2 : along_y ? row1 : none);
   STORE_UINTS(r->row_x + first, along_z ? none : along_y ? row2 : row1);
   STORE_UINTS(r->row_y + first, along_z ? row1 : along_y ? none : row2);

@@ -35,18 +35,13 @@ typedef struct {
 } ShearedLeaf;
 
 INLINE void shear_leaf(ShearedLeaf* t, TREE_LEAF* leaf, const StreamRays* r, uint k) {
-  TREE_FLOATS* x = &leaf->p[0][0][0] + r->row_x[k];
-  TREE_FLOATS* y = &leaf->p[0][0][0] + r->row_y[k];
-  TREE_FLOATS* z = &leaf->p[0][0][0] + r->row_z[k];
-  const float ox = r->row_ox[k], oy = r->row_oy[k], oz = r->row_oz[k];
-  const float sx = r->shear_x[k], sy = r->shear_y[k];
-  const leaf_float az = LOAD_LEAF(z) - oz;
-  const leaf_float bz = LOAD_LEAF(z + VERTEX_ROWS) - oz;
-  const leaf_float cz = LOAD_LEAF(z + 2 * VERTEX_ROWS) - oz;
-  const leaf_float ax = fma(sx, az, LOAD_LEAF(x) - ox), ay = fma(sy, az, LOAD_LEAF(y) - oy);
-  const leaf_float bx = fma(sx, bz, LOAD_LEAF(x + VERTEX_ROWS) - ox), by = fma(sy, bz, LOAD_LEAF(y + VERTEX_ROWS) - oy);
-  const leaf_float cx = fma(sx, cz, LOAD_LEAF(x + 2 * VERTEX_ROWS) - ox);
-  const leaf_float cy = fma(sy, cz, LOAD_LEAF(y + 2 * VERTEX_ROWS) - oy);
+  TREE_FLOATS* points = &leaf->p[0][0];
+  const float16 z = vload16(0, points + r->row_z[k]) - r->row_oz[k];
+  const float16 x = fma(r->shear_x[k], z, vload16(0, points + r->row_x[k]) - r->row_ox[k]);
+  const float16 y = fma(r->shear_y[k], z, vload16(0, points + r->row_y[k]) - r->row_oy[k]);
+  const leaf_float ax = FIRST_CORNERS(x), ay = FIRST_CORNERS(y), az = FIRST_CORNERS(z);
+  const leaf_float bx = SECOND_CORNERS(x), by = SECOND_CORNERS(y), bz = SECOND_CORNERS(z);
+  const leaf_float cx = THIRD_CORNERS(x), cy = THIRD_CORNERS(y), cz = THIRD_CORNERS(z);
   const leaf_float wa = cx * by - cy * bx, wb = ax * cy - ay * cx, wc = bx * ay - by * ax;
   t->wb = wb;
   t->wc = wc;

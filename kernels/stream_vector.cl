@@ -15,16 +15,6 @@
 #endif
 
 // Vectors of a leaf's triangles.
-#if BVH_LEAF_WIDTH == 16
-typedef float16 leaf_float;
-typedef int16 leaf_int;
-typedef uint16 leaf_uint;
-#define LOAD_LEAF(p) vload16(0, p)
-#define STORE_LEAF(p, v) vstore16(v, 0, p)
-#define AS_LEAF_FLOAT as_float16
-#define AS_LEAF_UINT as_uint16
-#define LEAF_BITS (leaf_int)(1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384, 32768)
-#else
 typedef float8 leaf_float;
 typedef int8 leaf_int;
 typedef uint8 leaf_uint;
@@ -33,7 +23,10 @@ typedef uint8 leaf_uint;
 #define AS_LEAF_FLOAT as_float8
 #define AS_LEAF_UINT as_uint8
 #define LEAF_BITS (leaf_int)(1, 2, 4, 8, 16, 32, 64, 128)
-#endif
+// Of 16 values, one a leaf's point, those of the triangles' corners: BVH_CORNER.
+#define FIRST_CORNERS(points) (points).lo
+#define SECOND_CORNERS(points) (points).hi
+#define THIRD_CORNERS(points) (points).s45670123
 
 int or_8_lanes(int8 a) {
   const int4 b = a.lo | a.hi;
@@ -43,11 +36,7 @@ int or_8_lanes(int8 a) {
 
 int or_lanes(int16 v) { return or_8_lanes(v.lo | v.hi); }
 
-#if BVH_LEAF_WIDTH == 16
-#define OR_LEAF_LANES(v) or_lanes(v)
-#else
 #define OR_LEAF_LANES(v) or_8_lanes(v)
-#endif
 
 // Asks for a node or leaf that is visited later.
 #if defined(__clang__) && (defined(__x86_64__) || defined(__aarch64__))
@@ -55,7 +44,7 @@ int or_lanes(int16 v) { return or_8_lanes(v.lo | v.hi); }
 #define PREFETCH_ITEM(item)                                                                              \
   {                                                                                                      \
     if ((item) & BVH_LEAF) {                                                                             \
-      __attribute__((opencl_unroll_hint)) for (uint line = 0; line < sizeof(TriangleLeaf) / 64; ++line) \
+      __attribute__((opencl_unroll_hint)) for (uint line = 0; line < sizeof(leaves->p) / 64; ++line) \
           PREFETCH_LINE(&leaves[(item) & ~BVH_LEAF], line);                                              \
     } else {                                                                                             \
       __attribute__((opencl_unroll_hint)) for (uint line = 0; line < sizeof(BvhNode) / 64; ++line)      \

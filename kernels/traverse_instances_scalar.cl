@@ -25,8 +25,9 @@ bool open_child(__global const BvhNode* nodes, __global const TriangleLeaf* leav
   if (instance == NO_INSTANCE && (item & BVH_LEAF)) {
     __global const TriangleLeaf* leaf = &leaves[item & ~BVH_LEAF];
     if (lane >= BVH_LEAF_WIDTH || leaf->triangle[lane] == BVH_EMPTY) return false;
-    *lo = (float3)(leaf->p[0][0][lane], leaf->p[0][1][lane], leaf->p[0][2][lane]);
-    *hi = (float3)(leaf->p[1][0][lane], leaf->p[1][1][lane], leaf->p[1][2][lane]);
+    *lo = (float3)(leaf->p[0][lane], leaf->p[1][lane], leaf->p[2][lane]);
+    const uint upper = BVH_LEAF_WIDTH + lane;
+    *hi = (float3)(leaf->p[0][upper], leaf->p[1][upper], leaf->p[2][upper]);
     *child_instance = leaf->triangle[lane];
     *child = instances[leaf->triangle[lane]].root;
     return true;
@@ -48,7 +49,8 @@ bool open_child(__global const BvhNode* nodes, __global const TriangleLeaf* leav
 }
 
 float3 placed_vertex(__global const TriangleLeaf* leaf, uint corner, uint lane, __global const PlacedMesh* mesh) {
-  return placed_point(mesh, (float3)(leaf->p[corner][0][lane], leaf->p[corner][1][lane], leaf->p[corner][2][lane]));
+  const uint place = BVH_CORNER(corner, lane);
+  return placed_point(mesh, (float3)(leaf->p[0][place], leaf->p[1][place], leaf->p[2][place]));
 }
 
 // LANE_IN_HOLE() for a triangle whose corners are placed already.
@@ -75,7 +77,8 @@ bool occluded_ray(BVH_PARAMS, float3 o, float3 d, float max_distance) {
     if ((item & BVH_LEAF) && instance != NO_INSTANCE) {
       __global const TriangleLeaf* leaf = &leaves[item & ~BVH_LEAF];
       __global const PlacedMesh* mesh = &instances[instance];
-      for (uint lane = 0; lane < BVH_LEAF_WIDTH && leaf->triangle[lane] != NO_TRIANGLE; ++lane) {
+      for (uint lane = 0; lane < BVH_LEAF_WIDTH; ++lane) {
+        if (leaf->triangle[lane] == NO_TRIANGLE) continue;
         const float3 p0 = placed_vertex(leaf, 0, lane, mesh), p1 = placed_vertex(leaf, 1, lane, mesh),
                      p2 = placed_vertex(leaf, 2, lane, mesh);
         if (!triangle_occludes(o, &shear, limit_z, p0, p1, p2)) continue;
@@ -112,7 +115,8 @@ bool closest_ray(BVH_PARAMS, float3 o, float3 d, float* t, uint* triangle, float
     if ((item & BVH_LEAF) && instance != NO_INSTANCE) {
       __global const TriangleLeaf* leaf = &leaves[item & ~BVH_LEAF];
       __global const PlacedMesh* mesh = &instances[instance];
-      for (uint lane = 0; lane < BVH_LEAF_WIDTH && leaf->triangle[lane] != NO_TRIANGLE; ++lane) {
+      for (uint lane = 0; lane < BVH_LEAF_WIDTH; ++lane) {
+        if (leaf->triangle[lane] == NO_TRIANGLE) continue;
         const uint id = leaf->triangle[lane] - mesh->mesh_triangle + mesh->first_triangle;
         float distance = nextafter(*t, INFINITY);
         float hit_u, hit_v;

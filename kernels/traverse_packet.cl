@@ -100,28 +100,27 @@ INLINE uint rays_met(__global const BvhNode* node, uint lane, const StreamRays* 
   return met & rays;
 }
 
-// A leaf's triangles, from the packet's origin along the axes of its shear.
+// A leaf's points, from the packet's origin along the axes of its shear.
 typedef struct {
-  float x[3][BVH_LEAF_WIDTH], y[3][BVH_LEAF_WIDTH], z[3][BVH_LEAF_WIDTH];  // [vertex][lane]
+  float x[2 * BVH_LEAF_WIDTH], y[2 * BVH_LEAF_WIDTH], z[2 * BVH_LEAF_WIDTH];
 } LeafFromOrigin;
 
 INLINE void move_to_origin(LeafFromOrigin* from, __global const TriangleLeaf* leaf, const Packet* p) {
-  for (uint vertex = 0; vertex < 3u; ++vertex) {
-    __global const float* corners = &leaf->p[vertex][0][0];
-    STORE_LEAF(from->x[vertex], LOAD_LEAF(corners + p->row_x) - p->row_ox);
-    STORE_LEAF(from->y[vertex], LOAD_LEAF(corners + p->row_y) - p->row_oy);
-    STORE_LEAF(from->z[vertex], LOAD_LEAF(corners + p->row_z) - p->row_oz);
-  }
+  __global const float* points = &leaf->p[0][0];
+  STORE_FLOATS(from->x, vload16(0, points + p->row_x) - p->row_ox);
+  STORE_FLOATS(from->y, vload16(0, points + p->row_y) - p->row_oy);
+  STORE_FLOATS(from->z, vload16(0, points + p->row_z) - p->row_oz);
 }
 
 // triangle_nearer() for one triangle and the 16 rays from `first` on.
 INLINE void meet_triangle(const LeafFromOrigin* from, uint lane, uint id, const StreamRays* r, uint first, uint rays, float* t,
                           uint* triangle, float* u, float* v) {
   const float16 sx = vload16(0, r->shear_x + first), sy = vload16(0, r->shear_y + first);
-  const float az = from->z[0][lane], bz = from->z[1][lane], cz = from->z[2][lane];
-  const float16 ax = fma(sx, (float16)(az), (float16)(from->x[0][lane])), ay = fma(sy, (float16)(az), (float16)(from->y[0][lane]));
-  const float16 bx = fma(sx, (float16)(bz), (float16)(from->x[1][lane])), by = fma(sy, (float16)(bz), (float16)(from->y[1][lane]));
-  const float16 cx = fma(sx, (float16)(cz), (float16)(from->x[2][lane])), cy = fma(sy, (float16)(cz), (float16)(from->y[2][lane]));
+  const uint a = BVH_CORNER(0, lane), b = BVH_CORNER(1, lane), c = BVH_CORNER(2, lane);
+  const float az = from->z[a], bz = from->z[b], cz = from->z[c];
+  const float16 ax = fma(sx, (float16)(az), (float16)(from->x[a])), ay = fma(sy, (float16)(az), (float16)(from->y[a]));
+  const float16 bx = fma(sx, (float16)(bz), (float16)(from->x[b])), by = fma(sy, (float16)(bz), (float16)(from->y[b]));
+  const float16 cx = fma(sx, (float16)(cz), (float16)(from->x[c])), cy = fma(sy, (float16)(cz), (float16)(from->y[c]));
   const float16 wa = cx * by - cy * bx, wb = ax * cy - ay * cx, wc = bx * ay - by * ax;
   const float16 det = wa + wb + wc;
   const uint16 sign = as_uint16(det) & SIGN_BIT;
@@ -178,8 +177,8 @@ void packet_closest(BVH_PARAMS, const StreamRays* r, const Packet* p, uint activ
       }
       LeafFromOrigin from;
       move_to_origin(&from, leaf, p);
-      for (uint lane = 0; lane < BVH_LEAF_WIDTH && leaf->triangle[lane] != NO_TRIANGLE; ++lane)
-        for (uint first = 0; first < 32u && rays >> first; first += GROUP)
+      for (uint lane = 0; lane < BVH_LEAF_WIDTH; ++lane)
+        for (uint first = 0; leaf->triangle[lane] != NO_TRIANGLE && first < 32u && rays >> first; first += GROUP)
           if (rays >> first & GROUP_RAYS)
             meet_triangle(&from, lane, leaf->triangle[lane], r, first, rays >> first & GROUP_RAYS, t, triangle, u, v);
       limit = farthest(t, active);

@@ -24,7 +24,8 @@ bool occluded_ray(BVH_PARAMS, float3 o, float3 d, float max_distance) {
     const uint item = stack[--size];
     if (item & BVH_LEAF) {
       __global const TriangleLeaf* leaf = &leaves[item & ~BVH_LEAF];
-      for (uint lane = 0; lane < BVH_LEAF_WIDTH && leaf->triangle[lane] != NO_TRIANGLE; ++lane) {
+      for (uint lane = 0; lane < BVH_LEAF_WIDTH; ++lane) {
+        if (leaf->triangle[lane] == NO_TRIANGLE) continue;
         if (triangle_occludes(o, &shear, limit_z, leaf_vertex(leaf, 0, lane), leaf_vertex(leaf, 1, lane),
                               leaf_vertex(leaf, 2, lane)) &&
             !LANE_IN_HOLE(leaf, lane, o, d))
@@ -54,7 +55,8 @@ bool closest_ray(BVH_PARAMS, float3 o, float3 d, float* t, uint* triangle, float
     if (entry[size] > *t * FAR_PLANE_GROWTH) continue;
     if (item & BVH_LEAF) {
       __global const TriangleLeaf* leaf = &leaves[item & ~BVH_LEAF];
-      for (uint lane = 0; lane < BVH_LEAF_WIDTH && leaf->triangle[lane] != NO_TRIANGLE; ++lane) {
+      for (uint lane = 0; lane < BVH_LEAF_WIDTH; ++lane) {
+        if (leaf->triangle[lane] == NO_TRIANGLE) continue;
         float distance = nextafter(*t, INFINITY);
         float hit_u, hit_v;
         if (!triangle_nearer(o, &shear, leaf_vertex(leaf, 0, lane), leaf_vertex(leaf, 1, lane), leaf_vertex(leaf, 2, lane),

@@ -4,9 +4,10 @@
 // 1997, "Fast, Minimum Storage Ray-Triangle Intersection". o + t d = p0 + u (p1 - p0) + v (p2 - p0); multiplied by det instead of divided.
 // -1 in the lanes of triangles that ray k meets at 0 < t < limit, else 0.
 INLINE leaf_int leaf_occludes_loosely(TREE_LEAF* leaf, const RayDirections* o, const RayDirections* d, uint k, float limit) {
-  const leaf_float ax = LOAD_LEAF(leaf->p[0][0]), ay = LOAD_LEAF(leaf->p[0][1]), az = LOAD_LEAF(leaf->p[0][2]);
-  const leaf_float e1x = LOAD_LEAF(leaf->p[1][0]) - ax, e1y = LOAD_LEAF(leaf->p[1][1]) - ay, e1z = LOAD_LEAF(leaf->p[1][2]) - az;
-  const leaf_float e2x = LOAD_LEAF(leaf->p[2][0]) - ax, e2y = LOAD_LEAF(leaf->p[2][1]) - ay, e2z = LOAD_LEAF(leaf->p[2][2]) - az;
+  const float16 x = vload16(0, leaf->p[0]), y = vload16(0, leaf->p[1]), z = vload16(0, leaf->p[2]);
+  const leaf_float ax = FIRST_CORNERS(x), ay = FIRST_CORNERS(y), az = FIRST_CORNERS(z);
+  const leaf_float e1x = SECOND_CORNERS(x) - ax, e1y = SECOND_CORNERS(y) - ay, e1z = SECOND_CORNERS(z) - az;
+  const leaf_float e2x = THIRD_CORNERS(x) - ax, e2y = THIRD_CORNERS(y) - ay, e2z = THIRD_CORNERS(z) - az;
   const leaf_float dx = d->x[k], dy = d->y[k], dz = d->z[k];
   const leaf_float px = fma(dy, e2z, -dz * e2y), py = fma(dz, e2x, -dx * e2z), pz = fma(dx, e2y, -dy * e2x);
   const leaf_float det = fma(e1x, px, fma(e1y, py, e1z * pz));

@@ -29,7 +29,7 @@ class Builder {
     buffers_[0] = std::move(references.values);
     buffers_[1] = LargeVector<Reference>(count_);
     if (count_) tree_.nodes.resize(2 * count_ - 1);
-    tree_.triangles.resize(count_);
+    tree_.pairs.resize(count_);
   }
 
   BinaryTree run() {
@@ -104,7 +104,7 @@ class Builder {
     std::nth_element(references, references + count / 2, references + count,
                      [&](const Reference& a, const Reference& b) {
                        const float ca = a.lo[axis] + a.hi[axis], cb = b.lo[axis] + b.hi[axis];
-                       return ca < cb || (ca == cb && a.triangle < b.triangle);
+                       return ca < cb || (ca == cb && a.first < b.first);
                      });
   }
 
@@ -115,7 +115,7 @@ class Builder {
     BinaryNode& made = tree_.nodes[node];
     made = {xyz(box.lo), xyz(box.hi), first, count, count / 2};
     if (count == 1) {
-      tree_.triangles[first] = references[0].triangle;
+      tree_.pairs[first] = {references[0].first, references[0].second};
       return;
     }
     if (count > 2) {

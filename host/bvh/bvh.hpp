@@ -18,12 +18,11 @@ struct BvhOptions {
 // The kernels' layout: no padding but what BvhNode names.
 static_assert(sizeof(BvhNode) == 7 * BVH_WIDTH * 4 && offsetof(BvhNode, hi) == 3 * BVH_WIDTH * 4 &&
               offsetof(BvhNode, nodes) == 6 * BVH_WIDTH * 4);
-static_assert(sizeof(TriangleLeaf) == 10 * BVH_LEAF_WIDTH * 4 &&
-              offsetof(TriangleLeaf, triangle) == 9 * BVH_LEAF_WIDTH * 4);
+static_assert(sizeof(TriangleLeaf) == 4 * 64 && offsetof(TriangleLeaf, triangle) == 3 * 64);
 
 /// A wide bounding volume hierarchy, flattened into the structs of kernels/shared/bvh.h, ready to upload. Of
-/// a mesh with instances: a tree over them, whose leaves name instances instead of triangles (p[0] and p[1]
-/// are the corners of their boxes), and in the same arrays a tree for each part.
+/// a mesh with instances: a tree over them, whose leaves name instances instead of triangles (point i
+/// and point i + 8 are the corners of the i-th box), and in the same arrays a tree for each part.
 struct Bvh {
   LargeVector<BvhNode> nodes;         ///< nodes[0] is the root; without triangles it has no children
   LargeVector<TriangleLeaf> leaves;   ///< never empty, since a buffer cannot be

@@ -8,13 +8,13 @@ namespace nook {
 namespace {
 
 constexpr unsigned width = BVH_WIDTH;
-constexpr std::uint32_t task_size = 8192;  // triangles of a subtree that is a task of its own
+constexpr std::uint32_t task_size = 8192;  // pairs of a subtree that is a task of its own
 
 }  // namespace
 
 Choices::Choices(const BinaryTree& tree, TaskPool& pool) : tree_(tree) {
-  if (tree.triangles.size() < 2) return;
-  choices_.resize(tree.triangles.size() - 1);
+  if (tree.pairs.size() < 2) return;
+  choices_.resize(tree.pairs.size() - 1);
   std::vector<Subtree> subtrees;
   std::vector<std::uint32_t> open = {0};
   while (!open.empty()) {
@@ -57,7 +57,7 @@ Choices::Costs Choices::combine(std::uint32_t index, const Costs& l, const Costs
   Choice& choice = choices_[tree_.inner_number(index)];
   const unsigned most_left = std::min(width, node.left_count),
                  most_right = std::min(width, node.count - node.left_count),
-                 most = std::min(width, most_left + most_right);  // more roots than triangles are no use
+                 most = std::min(width, most_left + most_right);  // more roots than pairs are no use
   Costs costs;
   choice.left.fill(0);
   for (unsigned k = 2; k <= most; ++k) {
@@ -85,9 +85,9 @@ Choices::Costs Choices::combine(std::uint32_t index, const Costs& l, const Costs
   const float area = node.half_area();
   const float as_node = area * bvh_node_cost + costs[most - 1];
   const float as_leaf =
-      node.count <= BVH_LEAF_WIDTH ? area * bvh_leaf_cost : std::numeric_limits<float>::infinity();
+      node.count <= BVH_LEAF_PAIRS ? area * bvh_leaf_cost : std::numeric_limits<float>::infinity();
   // Areas beyond the floats' range compare false: then a leaf, where it fits.
-  choice.as_leaf = node.count <= BVH_LEAF_WIDTH && !(as_node < as_leaf);
+  choice.as_leaf = node.count <= BVH_LEAF_PAIRS && !(as_node < as_leaf);
   costs[0] = choice.as_leaf ? as_leaf : as_node;
   // One root may be cheaper than several.
   for (unsigned k = 2; k <= width && costs[k - 1] > costs[0]; ++k) {

@@ -9,7 +9,7 @@
 namespace nook {
 namespace {
 
-constexpr std::uint32_t task_size = 8192;  // triangles of a subtree that is a task of its own
+constexpr std::uint32_t task_size = 8192;  // pairs of a subtree that is a task of its own
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
 BvhNode empty_node() {
@@ -75,11 +75,17 @@ class Collapser {
       bvh_.statistics.depth = std::max(bvh_.statistics.depth, s.depth);
       bvh_.statistics.sah_cost += s.sah_cost;
     }
-    bvh_.statistics.triangles_per_leaf = double(tree_.triangles.size()) / double(bvh_.leaves.size());
+    bvh_.statistics.triangles_per_leaf = double(triangles()) / double(bvh_.leaves.size());
     return std::move(bvh_);
   }
 
  private:
+  std::size_t triangles() const {
+    std::size_t count = 0;
+    for (const TrianglePair& pair : tree_.pairs) count += pair.second == BVH_EMPTY ? 1 : 2;
+    return count;
+  }
+
   bool is_task(std::uint32_t root) const { return tree_.nodes[root].count <= task_size; }
 
   // A root that is one leaf is the only child of the wide root.
@@ -148,11 +154,17 @@ class Collapser {
   TriangleLeaf make_leaf(std::uint32_t root) const {
     const BinaryNode& node = tree_.nodes[root];
     TriangleLeaf leaf = empty_leaf();
-    for (std::uint32_t i = 0; i < node.count; ++i) {
-      leaf.triangle[i] = tree_.triangles[node.first + i];
-      for (int vertex = 0; vertex < 3; ++vertex)
-        for (int axis = 0; axis < 3; ++axis)
-          leaf.p[vertex][axis][i] = mesh_.positions[mesh_.triangles[leaf.triangle[i]][vertex]][axis];
+    for (unsigned i = 0; i < node.count; ++i) {
+      const TrianglePair& pair = tree_.pairs[node.first + i];
+      leaf.triangle[i] = pair.first;
+      leaf.triangle[i + BVH_LEAF_PAIRS] = pair.second;
+      const auto& abc = mesh_.triangles[pair.first];
+      const std::uint32_t d = pair.second == BVH_EMPTY ? abc[2] : mesh_.triangles[pair.second][1];
+      for (int axis = 0; axis < 3; ++axis) {
+        for (int corner = 0; corner < 3; ++corner)
+          leaf.p[axis][BVH_CORNER(corner, i)] = mesh_.positions[abc[corner]][axis];
+        leaf.p[axis][BVH_CORNER(1, i + BVH_LEAF_PAIRS)] = mesh_.positions[d][axis];
+      }
     }
     return leaf;
   }

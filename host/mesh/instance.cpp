@@ -106,7 +106,7 @@ std::uint32_t append_part(TriangleMesh& whole, const TriangleMesh& part, bool mi
              first_group = std::uint32_t(whole.groups.size());
   const std::size_t before = whole.triangles.size(), count = part.triangles.size();
   const auto oriented = [&](std::array<std::uint32_t, 3> corners) {
-    if (mirrored) std::swap(corners[1], corners[2]);
+    if (mirrored) std::swap(corners[0], corners[2]);  // the edge that corner_order.hpp puts last stays there
     return corners;
   };
   whole.positions.insert(whole.positions.end(), part.positions.begin(), part.positions.end());

@@ -17,6 +17,7 @@
 
 #include "base/error.hpp"
 #include "base/input_file.hpp"
+#include "mesh/corner_order.hpp"
 #include "mesh/mtl_scan.hpp"
 #include "mesh/obj_scan.hpp"
 
@@ -219,6 +220,7 @@ TriangleMesh load_obj(const std::filesystem::path& path, const MeshAttributes& w
                     ? fmt::format("{}: no triangle is left ({} have NaN or infinite vertices)", name,
                                   mesh.report.non_finite_dropped)
                     : fmt::format("{}: the mesh has no triangles", name));
+  end_with_longest_edges(mesh);
   return mesh;
 }
 

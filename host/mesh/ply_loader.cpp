@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/input_file.hpp"
+#include "mesh/corner_order.hpp"
 #include "mesh/ply.hpp"
 
 namespace nook {
@@ -288,6 +289,7 @@ TriangleMesh load_ply(const std::filesystem::path& path, const MeshAttributes& a
     mesh.groups = {path.stem().string()};
     mesh.triangle_group.assign(mesh.triangles.size(), 0);
   }
+  end_with_longest_edges(mesh);
   return mesh;
 }
 

@@ -11,12 +11,13 @@
 #endif
 
 #define BVH_WIDTH 16           // children of a node
-#define BVH_LEAF_WIDTH 8       // triangles of a leaf: 8 or 16
+#define BVH_LEAF_PAIRS 4
+#define BVH_LEAF_WIDTH 8       // triangles of a leaf: two a pair
 #define BVH_LEAF 0x80000000u   // in an item that a traversal visits: the rest is an index into the leaves, not the nodes
 #define BVH_EMPTY 0xffffffffu  // no item, no triangle
 #define BVH_MAX_DEPTH 33       // levels of nodes that the builder may make
 // A popped node pushes BVH_WIDTH children at most, so each level keeps BVH_WIDTH - 1 entries waiting. With INSTANCES a mesh's tree
-// stands on a leaf of the tree over the instances, which pushes BVH_LEAF_WIDTH of them: on the level below its last nodes.
+// stands on a leaf of the tree over the instances, which pushes BVH_LEAF_PAIRS of them: on the level below its last nodes.
 #if defined(__OPENCL_C_VERSION__) && INSTANCES
 #define BVH_TREES 2
 #else
@@ -47,13 +48,19 @@ typedef struct {
   ((lane) < BVH_COUNT((node)->nodes) ? BVH_FIRST((node)->nodes) + (lane)            \
                                      : BVH_LEAF | (BVH_FIRST((node)->leaves) + (lane) - BVH_COUNT((node)->nodes)))
 
-// Read as:
-//   for lane: intersect the triangle (p[0][.][lane], p[1][.][lane], p[2][.][lane]), which is mesh triangle[lane]
-// Unused lanes hold the point 0 three times, which no ray meets, and triangle BVH_EMPTY.
+// Pairs of triangles that share the edge between their last corner and their first, (a, b, c) and (c, d, a): four points instead of six,
+// three cache lines of them. The triangles' numbers, which few rays ask for, are in a fourth. Read as:
+//   points i, i + 4, i + 8, i + 12 are a, c, b, d of pair i
+//   for lane: intersect the triangle of the points BVH_CORNER(0, 1 and 2, lane), which is mesh triangle[lane]
+// Lanes i and i + 4 are a pair's first and second triangle. One without a partner has d = c; a lane without a triangle has no area,
+// so that no ray meets it, and triangle BVH_EMPTY.
 typedef struct {
-  float p[3][3][BVH_LEAF_WIDTH];  // [vertex][axis][lane], world units
+  float p[3][2 * BVH_LEAF_WIDTH];  // [axis][point], world units
   nook_uint triangle[BVH_LEAF_WIDTH];
+  nook_uint unused[BVH_LEAF_WIDTH];
 } TriangleLeaf;
+#define BVH_CORNER(corner, lane) \
+  ((corner) == 0 ? (lane) : (corner) == 1 ? (lane) + BVH_LEAF_WIDTH : (lane) ^ BVH_LEAF_PAIRS)
 
 #ifdef __OPENCL_C_VERSION__
 // What a kernel passes through to the traversal: its buffers are Bvh::nodes and Bvh::leaves, in this order, with CUT_OUTS
@@ -94,7 +101,7 @@ typedef struct {
   uint instance[BVH_WIDTH];   // the placed mesh that the child is in
 } OpenedNode;
 typedef struct {
-  float p[3][3][BVH_LEAF_WIDTH];         // as in TriangleLeaf
+  float p[3][2 * BVH_LEAF_WIDTH];        // as in TriangleLeaf
   nook_uint triangle[BVH_LEAF_WIDTH];    // the number in the scene
   nook_uint stored[BVH_LEAF_WIDTH];      // in the mesh buffers
 } PlacedLeaf;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "bvh/triangle_pairs.hpp"
+#include "mesh/corner_order.hpp"
 #include "ray_probe.hpp"
 #include "support/meshes.hpp"
 
@@ -48,6 +50,7 @@ TriangleMesh triangle_soup(unsigned count, float size, unsigned seed) {
 TriangleMesh sphere(const vec3& center, float radius, unsigned n) {
   TriangleMesh mesh;
   add_sphere(mesh, center, n, [&](unsigned, unsigned) { return radius; });
+  end_with_longest_edges(mesh);  // as a loader does: its tree has pairs
   return mesh;
 }
 
@@ -241,6 +244,46 @@ TEST(Traverse, ClosestHitsAgreeToTheBit) {
         EXPECT_EQ(different, 0u) << c.name << ", " << variant << ", limit " << limit;
       }
     }
+  }
+}
+
+// A triangle by itself and as half of a pair: the same operations on the same corners. The halves are taken
+// apart by putting them into two trees, whose answers are then put together.
+TEST(Traverse, PairsChangeNoBit) {
+  const TriangleMesh mesh = sphere({0, 0, 0}, 0.9f, 24);
+  TaskPool pool(1);
+  TriangleMesh half[2] = {mesh, mesh};
+  std::vector<std::uint32_t> number[2];
+  half[0].triangles.clear(), half[1].triangles.clear();
+  for (const TrianglePair& pair : pair_triangles(mesh, pool))
+    for (const auto& [side, triangle] : {std::pair{0, pair.first}, std::pair{1, pair.second}}) {
+      if (triangle == BVH_EMPTY) continue;
+      half[side].triangles.push_back(mesh.triangles[triangle]);
+      number[side].push_back(triangle);
+    }
+  ASSERT_GT(number[1].size(), mesh.triangles.size() / 3);
+  std::vector<RayStream> streams = narrow_streams(1000, 36);
+  for (const RayStream& s : random_streams(500, 37, 1.2f)) streams.push_back(s);
+  for (const auto& [variant, options] : traversal_variants()) {
+    RayProbe whole(mesh, options), first(half[0], options), second(half[1], options);
+    auto bits = first.occluded(streams, 0.8f);
+    const auto others = second.occluded(streams, 0.8f);
+    for (std::size_t i = 0; i < bits.size(); ++i) bits[i] |= others[i];
+    EXPECT_EQ(whole.occluded(streams, 0.8f), bits) << variant;
+    auto hits = first.closest(streams, infinity);
+    const auto more = second.closest(streams, infinity), all = whole.closest(streams, infinity);
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      ClosestHit a = hits[i], b = more[i];
+      if (a.triangle != BVH_EMPTY) a.triangle = number[0][a.triangle];
+      if (b.triangle != BVH_EMPTY) b.triangle = number[1][b.triangle];
+      const bool second_is_nearer = b.t < a.t || (b.t == a.t && b.triangle < a.triangle);
+      const ClosestHit& nearest = second_is_nearer ? b : a;
+      different += nearest.triangle != all[i].triangle ||
+                   (nearest.triangle != BVH_EMPTY &&
+                    (nearest.t != all[i].t || nearest.u != all[i].u || nearest.v != all[i].v));
+    }
+    EXPECT_EQ(different, 0u) << variant;
   }
 }
 

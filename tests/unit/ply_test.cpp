@@ -29,7 +29,7 @@ TriangleMesh load(const std::string& bytes) {
 TEST(Ply, TextPolygonsBecomeFans) {
   const TriangleMesh mesh = load(text_header + text_body);
   ASSERT_EQ(mesh.triangles.size(), 2u);
-  EXPECT_EQ(mesh.triangles[1], (std::array<std::uint32_t, 3>{0, 2, 3}));
+  EXPECT_EQ(mesh.triangles[1], (std::array<std::uint32_t, 3>{2, 3, 0}));  // (0, 2, 3), its longest edge last
   EXPECT_EQ(mesh.positions[3], vec3(0, 1, 0.5f));
   EXPECT_EQ(mesh.bounds.hi, vec3(1, 1, 0.5f));
   EXPECT_FALSE(mesh.has_normals());
