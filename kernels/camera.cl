@@ -4,16 +4,35 @@
 #ifndef NOOK_CAMERA_CL
 #define NOOK_CAMERA_CL
 
+#include "inline.h"
+#include "rays.cl"
+#include "sampler.cl"
 #include "shared/camera.h"
 
+// One ray at a time or 16, the compiler rounds alike.
+#pragma OPENCL FP_CONTRACT OFF
+
 // Unit direction of the ray through `position` (in [0,1)²) of pixel (x, y).
-float3 camera_direction(const CameraParams* camera, uint x, uint y, float2 position) {
-  float px = (2.0f * ((float)x + position.x) / (float)camera->width - 1.0f) * camera->tan_half_fov_x;
-  float py = (1.0f - 2.0f * ((float)y + position.y) / (float)camera->height) * camera->tan_half_fov_y;
-  float3 right = (float3)(camera->right[0], camera->right[1], camera->right[2]);
-  float3 up = (float3)(camera->up[0], camera->up[1], camera->up[2]);
-  float3 forward = (float3)(camera->forward[0], camera->forward[1], camera->forward[2]);
-  return normalize(px * right + py * up + forward);
+INLINE Vector camera_direction(const CameraParams* camera, uint x, uint y, float2 position) {
+  const float px = (2.0f * ((float)x + position.x) / (float)camera->width - 1.0f) * camera->tan_half_fov_x;
+  const float py = (1.0f - 2.0f * ((float)y + position.y) / (float)camera->height) * camera->tan_half_fov_y;
+  const Vector d = {px * camera->right[0] + py * camera->up[0] + camera->forward[0],
+                    px * camera->right[1] + py * camera->up[1] + camera->forward[1],
+                    px * camera->right[2] + py * camera->up[2] + camera->forward[2]};
+  const float inverse = 1.0f / sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
+  const Vector unit = {d.x * inverse, d.y * inverse, d.z * inverse};
+  return unit;
+}
+
+// Of camera samples sample[k] of pixels pixel[k], the first `count`. The entries behind them are read too, and mean nothing.
+INLINE void camera_directions(const CameraParams* camera, const uint* pixel, const uint* sample, uint count, const EstimatorParams* p,
+                              RayDirections* directions) {
+  for (uint first = 0; first < count; first += RAYS_TOGETHER)
+    for (uint k = first; k < first + RAYS_TOGETHER; ++k) {
+      const float2 position = sample_pixel(pixel[k], sample[k], p);
+      const Vector d = camera_direction(camera, pixel[k] % camera->width, pixel[k] / camera->width, position);
+      directions->x[k] = d.x, directions->y[k] = d.y, directions->z[k] = d.z;
+    }
 }
 
 #endif

@@ -29,8 +29,7 @@ void clear_keys(RayKeys* keys) {
   }
 }
 
-// Rays that a loop makes together: those behind the last are made from whatever the keys hold.
-#define POINTS_TOGETHER (TRAVERSAL_SCALAR ? 1u : 16u)
+// Those behind the last ray are made from whatever the keys hold.
 #define DIRECTIONS_TOGETHER (TRAVERSAL_SCALAR || (EFFECT == EFFECT_REFLECTION && SAMPLING != SAMPLING_LOBE) ? 1u : 16u)
 
 // One direction at a surface point; returns its weight w with E[w V] the effect's value, 0 if it needs no ray.
@@ -44,8 +43,8 @@ INLINE float sample_effect(float2 u, float3 normal, float3 view, float exponent,
 // In both, the bits behind the first `count` mean nothing.
 INLINE uint make_directions(const RayKeys* keys, uint count, const EstimatorParams* p, RayDirections* d, float* weight, uint* active) {
   float ux[32], uy[32];
-  for (uint k = 0; k < count; k += POINTS_TOGETHER)
-    sample_directions(keys->pixel + k, keys->sample + k, keys->direction + k, POINTS_TOGETHER, p, ux + k, uy + k);
+  for (uint k = 0; k < count; k += RAYS_TOGETHER)
+    sample_directions(keys->pixel + k, keys->sample + k, keys->direction + k, RAYS_TOGETHER, p, ux + k, uy + k);
   uint finite = 0, traced = 0;
   for (uint first = 0; first < count; first += DIRECTIONS_TOGETHER)
     for (uint k = first; k < first + DIRECTIONS_TOGETHER; ++k) {

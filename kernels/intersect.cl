@@ -4,6 +4,8 @@
 #ifndef NOOK_INTERSECT_CL
 #define NOOK_INTERSECT_CL
 
+#include "inline.h"
+#include "rays.cl"
 #include "shared/bvh.h"
 
 // The compiler must not choose where to fuse: neighbouring triangles have to compute a shared edge alike.
@@ -114,24 +116,39 @@ bool triangle_nearer(float3 o, const RayShear* s, float3 p0, float3 p1, float3 p
   return true;
 }
 
+float greater(float a, float b) { return a > b ? a : b; }
+
+// The farthest that a, b and c are from x.
+float extent_about(float a, float b, float c, float x) { return greater(greater(fabs(a - x), fabs(b - x)), fabs(c - x)); }
+
+// x + offset, and a float on in the offset's direction; x where the offset is 0.
+float moved_on(float x, float offset) {
+  const float moved = x + offset;
+  const int bits = as_int(moved);
+  const uint smallest = (as_uint(offset) & 0x80000000u) | 1u;
+  const float next = moved == 0.0f ? as_float(smallest) : as_float((moved > 0.0f) == (offset > 0.0f) ? bits + 1 : bits - 1);
+  return offset != 0.0f ? next : moved;
+}
+
 // Origin for rays that leave the point (1-u-v) p0 + u p1 + v p2 of a triangle: off its plane by a bound on the
 // rounding error of that point, gamma(7) sum |b_i p_i| (Pharr, Jakob, Humphreys, pbrt 4th ed., 6.8.6), rounded away, and by what
 // the intersection may be off for this triangle: sheared coordinates are products of its extent, and where the point is exactly
 // in its plane (a floor at height 0) their roundings alone would decide on which side it lies.
 // geometric_normal: unit; side: >= 0 for the side it points to, < 0 for the other.
-float3 offset_origin(float3 p0, float3 p1, float3 p2, float u, float v, float3 geometric_normal, float side) {
+INLINE Vector offset_origin(Vector p0, Vector p1, Vector p2, float u, float v, Vector geometric_normal, float side) {
   const float w = 1.0f - u - v;
-  const float3 point = w * p0 + u * p1 + v * p2;
+  const Vector a = {w * p0.x, w * p0.y, w * p0.z}, b = {u * p1.x, u * p1.y, u * p1.z}, c = {v * p2.x, v * p2.y, v * p2.z};
+  const Vector point = {a.x + b.x + c.x, a.y + b.y + c.y, a.z + b.z + c.z};
   const float gamma7 = 4.172328e-7f;  // 7 e / (1 - 7 e), e = 2^-24
-  const float3 error = gamma7 * (fabs(w * p0) + fabs(u * p1) + fabs(v * p2));
-  const float3 n = side < 0.0f ? -geometric_normal : geometric_normal;
-  const float3 reach = fmax(fabs(p0 - point), fmax(fabs(p1 - point), fabs(p2 - point)));
-  const float extent = fmax(reach.x, fmax(reach.y, reach.z));
-  const float of_intersection = 9.536743e-7f * extent;  // 16 e
-  const float3 offset = (dot(fabs(n), error) + of_intersection) * n;
-  const float3 moved = point + offset;
-  const float3 away = select((float3)(-INFINITY), (float3)(INFINITY), offset > 0.0f);
-  return select(moved, nextafter(moved, away), offset != 0.0f);
+  const float error = gamma7 * (fabs(geometric_normal.x) * (fabs(a.x) + fabs(b.x) + fabs(c.x)) +
+                                fabs(geometric_normal.y) * (fabs(a.y) + fabs(b.y) + fabs(c.y)) +
+                                fabs(geometric_normal.z) * (fabs(a.z) + fabs(b.z) + fabs(c.z)));
+  const float of_intersection = 9.536743e-7f * greater(greater(extent_about(p0.x, p1.x, p2.x, point.x), extent_about(p0.y, p1.y, p2.y, point.y)),
+                                                       extent_about(p0.z, p1.z, p2.z, point.z));  // 16 e
+  const float distance = side < 0.0f ? -(error + of_intersection) : error + of_intersection;
+  const Vector origin = {moved_on(point.x, distance * geometric_normal.x), moved_on(point.y, distance * geometric_normal.y),
+                         moved_on(point.z, distance * geometric_normal.z)};
+  return origin;
 }
 
 #endif

@@ -4,8 +4,8 @@
 #include "shared/task.h"
 #include "camera.cl"
 #include "sampler.cl"
+#include "surface_points.cl"
 #include "traverse.cl"
-#include "triangle.cl"
 
 #define STREAM 32u
 
@@ -15,50 +15,16 @@ void store3(__global float* out, float3 v) {
   out[2] = v.z;
 }
 
-// Shading normal: the vertex normals interpolated, or the geometric normal where a corner has none or they cancel.
-// Never flipped towards the viewer (TinyRender).
-float3 shading_normal(WITH_INSTANCE_PARAMS __global const float* normals, __global const uint* triangle_normals, uint triangle,
-                      float u, float v, float3 geometric) {
-  if (!VERTEX_NORMALS) return geometric;
-  const uint corner = 3 * STORED(triangle);
-  uint i0 = triangle_normals[corner], i1 = triangle_normals[corner + 1], i2 = triangle_normals[corner + 2];
-  const uint none = 0xffffffffu;
-  if (i0 == none || i1 == none || i2 == none) return geometric;
-  float3 n = (1.0f - u - v) * NORMAL_OF(triangle, load3(normals, i0)) + u * NORMAL_OF(triangle, load3(normals, i1)) +
-             v * NORMAL_OF(triangle, load3(normals, i2));
-  float length2 = dot(n, n);
-  return length2 > 1e-12f ? n * rsqrt(length2) : geometric;
-}
-
-// The unit normal of triangle (p0, p1, p2). The edges are scaled first: a triangle of size 1e-15 would underflow.
-float3 triangle_normal(float3 p0, float3 p1, float3 p2) {
-  float3 a = p1 - p0, b = p2 - p0;
-  float3 extent = fmax(fabs(a), fabs(b));
-  float scale = fmax(extent.x, fmax(extent.y, extent.z));
-  float3 n = cross(a / scale, b / scale);
-  return n / sqrt(dot(n, n));
-}
-
-void write_surface_point(__global SurfacePoint* out, TRIANGLE_PARAMS, __global const float* normals,
-                         __global const uint* triangle_normals, __global const uint* triangle_materials, float3 direction,
-                         float distance, uint triangle, float u, float v) {
-  if (triangle == 0xffffffffu) {
-    out->flags = 0;
-    return;
-  }
-  float3 p0 = vertex(TRIANGLE_ARGS, triangle, 0), p1 = vertex(TRIANGLE_ARGS, triangle, 1),
-         p2 = vertex(TRIANGLE_ARGS, triangle, 2);
-  float3 geometric = triangle_normal(p0, p1, p2);
-  float3 normal = shading_normal(WITH_INSTANCE_ARGS normals, triangle_normals, triangle, u, v, geometric);
-  float side = dot(geometric, normal) < 0.0f ? -1.0f : 1.0f;
-  store3(out->origin, offset_origin(p0, p1, p2, u, v, geometric, side));
+void write_surface_point(__global SurfacePoint* out, const SurfaceFrames* frames, uint k, const RayDirections* directions,
+                         float distance, uint triangle, uint material) {
+  store3(out->origin, ray_direction(&frames->origin, k));
   out->flags = SURFACE_HIT;
-  store3(out->normal, normal);
+  store3(out->normal, ray_direction(&frames->normal, k));
   out->triangle = triangle;
-  store3(out->view, -direction);
+  store3(out->view, -ray_direction(directions, k));
   out->distance = distance;
-  store3(out->geometric_normal, geometric);
-  out->material = MATERIALS ? triangle_materials[STORED(triangle)] : 0xffffffffu;
+  store3(out->geometric_normal, ray_direction(&frames->geometric_normal, k));
+  out->material = material;
 }
 
 // Camera samples [task.first_sample, + p.samples) of each task's pixel: one SurfacePoint each. A work-item does `tasks_per_item`
@@ -71,26 +37,38 @@ __kernel void primary(BVH_PARAMS, __global const float* positions, __global cons
   if (first_task >= task_count) return;
   const uint rays = min(tasks_per_item, task_count - first_task) * p.samples;
   const float3 eye = (float3)(camera.eye[0], camera.eye[1], camera.eye[2]);
+  SurfaceHits hits;
+  clear_hits(&hits);
+  uint pixel[STREAM], sample[STREAM];
+  for (uint k = 0; k < STREAM; ++k) pixel[k] = sample[k] = 0;
   for (uint begin = 0; begin < rays; begin += STREAM) {
     const uint count = min(STREAM, rays - begin);
-    RayDirections directions;
-    float t[STREAM], u[STREAM], v[STREAM];
-    uint triangle[STREAM];
     for (uint k = 0; k < count; ++k) {
       const Task task = tasks[first_task + (begin + k) / p.samples];
-      const float2 position = sample_pixel(task.pixel, task.first_sample + (begin + k) % p.samples, &p);
-      const float3 d = camera_direction(&camera, task.pixel % camera.width, task.pixel / camera.width, position);
-      directions.x[k] = d.x;
-      directions.y[k] = d.y;
-      directions.z[k] = d.z;
-      t[k] = INFINITY;
+      pixel[k] = task.pixel;
+      sample[k] = task.first_sample + (begin + k) % p.samples;
     }
+    RayDirections directions;
+    camera_directions(&camera, pixel, sample, count, &p, &directions);
+    float t[STREAM], u[STREAM], v[STREAM];
+    uint triangle[STREAM];
+    for (uint k = 0; k < STREAM; ++k) t[k] = INFINITY;
     const uint active = count == STREAM ? 0xffffffffu : (1u << count) - 1u;
     closest_from(BVH_ARGS, eye, &directions, active, t, triangle, u, v);
+    for (uint k = 0; k < count; ++k)
+      if (triangle[k] != NO_TRIANGLE)
+        gather_hit(&hits, k, TRIANGLE_ARGS, normals, triangle_normals, triangle[k], u[k], v[k]);
+    SurfaceFrames frames;
+    make_surface_frames(&hits, count, &frames);
     for (uint k = 0; k < count; ++k) {
-      const uint point = tasks[first_task + (begin + k) / p.samples].point + (begin + k) % p.samples;
-      write_surface_point(points + point, TRIANGLE_ARGS, normals, triangle_normals, triangle_materials,
-                          ray_direction(&directions, k), t[k], triangle[k], u[k], v[k]);
+      __global SurfacePoint* point =
+          points + tasks[first_task + (begin + k) / p.samples].point + (begin + k) % p.samples;
+      if (triangle[k] == NO_TRIANGLE) {
+        point->flags = 0;
+        continue;
+      }
+      write_surface_point(point, &frames, k, &directions, t[k], triangle[k],
+                          MATERIALS ? triangle_materials[STORED(triangle[k])] : 0xffffffffu);
     }
   }
 }

@@ -2,9 +2,24 @@
 #ifndef NOOK_RAYS_CL
 #define NOOK_RAYS_CL
 
+#include "config.h"
+
 typedef struct {
   float x[32], y[32], z[32];
 } RayDirections;
+
+// Rays that a loop over a stream makes together.
+#define RAYS_TOGETHER (TRAVERSAL_SCALAR ? 1u : 16u)
+
+// A float3 that a loop over rays keeps in vectors of rays instead.
+typedef struct {
+  float x, y, z;
+} Vector;
+
+Vector ray_vector(const RayDirections* d, uint k) {
+  const Vector v = {d->x[k], d->y[k], d->z[k]};
+  return v;
+}
 
 float3 ray_direction(const RayDirections* d, uint k) { return (float3)(d->x[k], d->y[k], d->z[k]); }
 

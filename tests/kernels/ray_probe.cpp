@@ -52,11 +52,14 @@ __kernel void probe_closest(BVH_PARAMS, __global const float* streams, float lim
   }
 }
 
-float3 load3(__global const float* p) { return (float3)(p[0], p[1], p[2]); }
+Vector load_vector(__global const float* p) {
+  const Vector v = {p[0], p[1], p[2]};
+  return v;
+}
 
 __kernel void probe_offset(BVH_PARAMS, __global const float* samples, float unused, __global float* origins) {
   __global const float* s = samples + 15 * get_global_id(0);
-  const float3 o = offset_origin(load3(s), load3(s + 3), load3(s + 6), s[12], s[13], load3(s + 9), s[14]);
+  const Vector o = offset_origin(load_vector(s), load_vector(s + 3), load_vector(s + 6), s[12], s[13], load_vector(s + 9), s[14]);
   __global float* out = origins + 3 * get_global_id(0);
   out[0] = o.x, out[1] = o.y, out[2] = o.z;
 }
