@@ -147,8 +147,8 @@ std::vector<Case> cases() {
 
 TEST(Traverse, OcclusionMatchesBruteForce) {
   for (const Case& c : cases())
-    for (const auto& [variant, options] : traversal_variants()) {
-      RayProbe probe(c.mesh, options);
+    for (const TraversalVariant& variant : traversal_variants()) {
+      RayProbe probe(c.mesh, variant);
       for (const float limit : {infinity, 0.3f}) {
         std::vector<RayStream> streams = random_streams(40, 11, 1.2f);
         for (const RayStream& s : axis_parallel_streams(20, 12)) streams.push_back(s);
@@ -174,8 +174,8 @@ TEST(Traverse, OcclusionMatchesBruteForce) {
 
 TEST(Traverse, ClosestMatchesBruteForce) {
   for (const Case& c : cases())
-    for (const auto& [variant, options] : traversal_variants()) {
-      RayProbe probe(c.mesh, options);
+    for (const TraversalVariant& variant : traversal_variants()) {
+      RayProbe probe(c.mesh, variant);
       const std::vector<RayStream> streams = random_streams(40, 21, 1.2f);
       const auto hits = probe.closest(streams, infinity);
       for (std::size_t i = 0; i < streams.size(); ++i)
@@ -209,8 +209,8 @@ TEST(Traverse, VariantsAgreeToTheBit) {
     for (const RayStream& s : axis_parallel_streams(500, 32)) streams.push_back(s);
     for (const float limit : {infinity, 0.3f}) {
       std::vector<std::uint32_t> first;
-      for (const auto& [variant, options] : traversal_variants()) {
-        RayProbe probe(c.mesh, options);
+      for (const TraversalVariant& variant : traversal_variants()) {
+        RayProbe probe(c.mesh, variant);
         const auto bits = probe.occluded(streams, limit);
         if (first.empty()) first = bits;
         EXPECT_EQ(first, bits) << c.name << ", " << variant << ", limit " << limit;
@@ -228,8 +228,8 @@ TEST(Traverse, ClosestHitsAgreeToTheBit) {
     for (const RayStream& s : axis_parallel_streams(500, 35)) streams.push_back(s);
     for (const float limit : {infinity, 0.3f}) {
       std::vector<ClosestHit> first;
-      for (const auto& [variant, options] : traversal_variants()) {
-        RayProbe probe(c.mesh, options);
+      for (const TraversalVariant& variant : traversal_variants()) {
+        RayProbe probe(c.mesh, variant);
         const auto hits = probe.closest(streams, limit);
         if (first.empty()) first = hits;
         std::size_t different = 0;
@@ -241,6 +241,22 @@ TEST(Traverse, ClosestHitsAgreeToTheBit) {
         EXPECT_EQ(different, 0u) << c.name << ", " << variant << ", limit " << limit;
       }
     }
+  }
+}
+
+// Wherever a variant's tree holds them, and in whatever order it comes to them.
+TEST(Traverse, OfEquallyNearTrianglesTheLowestIsMet) {
+  TriangleMesh mesh = sphere({0, 0, 0}, 0.9f, 24);
+  const std::uint32_t once = std::uint32_t(mesh.triangles.size());
+  for (std::uint32_t i = once; i-- > 0;) mesh.triangles.push_back(mesh.triangles[i]);
+  std::vector<RayStream> streams = narrow_streams(200, 36);
+  for (const RayStream& s : random_streams(200, 37, 0.5f)) streams.push_back(s);
+  for (const TraversalVariant& variant : traversal_variants()) {
+    unsigned first = 0, second = 0;
+    for (const ClosestHit& hit : RayProbe(mesh, variant).closest(streams, infinity))
+      if (hit.triangle != 0xffffffffu) ++(hit.triangle < once ? first : second);
+    EXPECT_GT(first, 6400u) << variant;
+    EXPECT_EQ(second, 0u) << variant;
   }
 }
 
@@ -265,8 +281,8 @@ std::uint64_t leaks(RayProbe& probe, const TriangleMesh& mesh, bool vertices, un
 
 TEST(Traverse, NoRayLeaksThroughEdgesOrVertices) {
   for (const auto& [name, mesh] : {Case{"sphere", sphere({0, 0, 0}, 1, 40)}, Case{"box", closed_box(10)}})
-    for (const auto& [variant, options] : traversal_variants()) {
-      RayProbe probe(mesh, options);
+    for (const TraversalVariant& variant : traversal_variants()) {
+      RayProbe probe(mesh, variant);
       EXPECT_EQ(leaks(probe, mesh, false, 41), 0u) << name << " edges, " << variant;
       EXPECT_EQ(leaks(probe, mesh, true, 42), 0u) << name << " vertices, " << variant;
     }
@@ -317,8 +333,8 @@ TEST(Traverse, NothingMeetsAnEmptyOrDegenerateMesh) {
   TriangleMesh points;
   add_triangle(points, {0, 0, 0}, {0, 0, 0}, {1, 1, 1});
   for (const TriangleMesh& mesh : {TriangleMesh(), points})
-    for (const auto& [variant, options] : traversal_variants()) {
-      RayProbe probe(mesh, options);
+    for (const TraversalVariant& variant : traversal_variants()) {
+      RayProbe probe(mesh, variant);
       for (const std::uint32_t bits : probe.occluded(random_streams(100, 51, 2), infinity))
         ASSERT_EQ(bits, 0u) << variant;
       for (const ClosestHit& hit : probe.closest(random_streams(100, 51, 2), infinity))
