@@ -12,6 +12,10 @@ extern const EmbeddedFile files[];
 
 namespace {
 
+BuildOptions with_width(BuildOptions options, unsigned width) {
+  return options.define("BVH_WIDTH", width);
+}
+
 template <class... Args>
 void set_args(const ClKernel& kernel, const Args&... args) {
   cl_uint index = 0;
@@ -25,8 +29,8 @@ void set_args(const ClKernel& kernel, const Args&... args) {
 
 KernelRunner::KernelRunner(const Device& device, const Bvh& bvh, const BuildOptions& options)
     : device_(device),
-      program_(
-          build_program(device, flatten_kernel(kernels::files[0].path, kernels::files[0].text), options)),
+      program_(build_program(device, flatten_kernel(kernels::files[0].path, kernels::files[0].text),
+                             with_width(options, bvh.width()))),
       shared_(program_.kernel("occlusion_shared")),
       own_(program_.kernel("occlusion_own")),
       closest_(program_.kernel("closest_shared")),

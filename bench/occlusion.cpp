@@ -9,6 +9,7 @@
 #include "embree_occlusion.hpp"
 #include "kernel_runner.hpp"
 #include "record.hpp"
+#include "render/path_tracer.hpp"
 #include "stopwatch.hpp"
 
 namespace nook::bench {
@@ -17,7 +18,7 @@ namespace {
 struct Settings {
   std::string scene = "bunny";
   std::string rays = "ao";
-  unsigned rounds = 7, threads = 2, resolution = 1024, directions = 16;
+  unsigned rounds = 7, threads = 2, resolution = 1024, directions = 16, width = 0;
   float exponent = 30, max_distance = std::numeric_limits<float>::infinity();
   std::vector<std::string> defines;
   std::string device, output, against;
@@ -59,12 +60,14 @@ void run(const Settings& s) {
   limit_threads(s.threads);
   const BenchScene scene = bench_scene(s.scene);
   const EmbreeScene fast(scene.mesh, false, s.threads), robust(scene.mesh, true, s.threads);
-  const Bvh bvh = build_bvh(scene.mesh, {.threads = s.threads});
-  std::printf("%s: %zu triangles; %.1f B and %.2f SAH, %.1f triangles a leaf\n", s.scene.c_str(),
-              scene.mesh.triangles.size(), double(bvh.bytes()) / double(scene.mesh.triangles.size()),
-              bvh.statistics.sah_cost, bvh.statistics.triangles_per_leaf);
-
   const Device device(select_device(s.device));
+  const Bvh bvh =
+      build_bvh(scene.mesh, {.threads = s.threads, .width = s.width ? s.width : tree_width(device.info())});
+  std::printf("%s: %zu triangles; %u children a node, %.1f B and %.2f SAH, %.1f triangles a leaf\n",
+              s.scene.c_str(), scene.mesh.triangles.size(), bvh.width(),
+              double(bvh.bytes()) / double(scene.mesh.triangles.size()), bvh.statistics.sah_cost,
+              bvh.statistics.triangles_per_leaf);
+
   KernelRunner runner(device, bvh, build_options(s.defines));
   const unsigned samples = s.rays == "own" || s.rays == "primary" ? 16 : 1;
   const unsigned resolution = samples > 1 ? s.resolution / 2 : s.resolution;
@@ -147,6 +150,7 @@ void run(const Settings& s) {
                         {"triangles", scene.mesh.triangles.size()},
                         {"ray_count", work.rays},
                         {"directions", s.directions},
+                        {"width", bvh.width()},
                         {"clock", s.cpu_time ? "cpu" : "wall"},
                         {"mrays_per_s", our_rate},
                         {"embree_mrays_per_s", embree_rate},
@@ -181,6 +185,8 @@ void add_occlusion(CLI::App& app) {
   command->add_option("--resolution", s->resolution, "pixels a side; own and primary use half")
       ->check(CLI::Range(16, 8192));
   command->add_option("--directions", s->directions)->check(CLI::Range(1, 32));
+  command->add_option("--width", s->width, "children a node; what the device asks for unless given")
+      ->check(CLI::IsMember({8, 16}));
   command->add_option("--exponent", s->exponent, "of the lobe");
   command->add_option("--max-distance", s->max_distance, "world units");
   command->add_option("--against", s->against,

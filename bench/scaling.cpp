@@ -141,7 +141,7 @@ struct Option {
   std::function<void(Scene&)> change = [](Scene&) {};
   std::function<std::string(std::string)> kernels = [](std::string source) { return source; };
   Traversal traversal = Traversal::automatic;
-  bool smooth = false;
+  bool smooth = false, other_width = false;
   double most_difference = 1;  ///< of the picture's mean from the base's, relative
 };
 
@@ -161,7 +161,7 @@ std::string not_watertight(std::string source) {
   return source;
 }
 
-std::vector<Option> options() {
+std::vector<Option> options(const char* other_width) {
   const auto sampler = [](Sampler chosen) { return [chosen](Scene& s) { s.sampler = chosen; }; };
   const auto effect = [](auto change) { return [change](Scene& s) { change(s.effects[0]); }; };
   return {{"base"},
@@ -188,6 +188,7 @@ std::vector<Option> options() {
           {.name = "portable path",
            .kernels = [](std::string source) { return "#define TRAVERSAL_PORTABLE 1\n" + source; },
            .most_difference = 0},
+          {.name = other_width, .other_width = true, .most_difference = 0},
           {.name = "one ray a work-item", .traversal = Traversal::scalar, .most_difference = 0}};
 }
 
@@ -224,15 +225,17 @@ void run_options(const Settings& s) {
   BenchScene bench = bench_scene(knot(base_triangles));
   TriangleMesh smooth = bench.mesh;
   add_normals(smooth);
-  const Bvh bvh = build_bvh(bench.mesh, {.threads = s.threads});
   const Device device(select_device(""));
+  const unsigned width = tree_width(device.info());
+  const Bvh bvh = build_bvh(bench.mesh, {.threads = s.threads, .width = width}),
+            other = build_bvh(bench.mesh, {.threads = s.threads, .width = width == 16 ? 8u : 16u});
   Scene scene;
   scene.camera = {bench.eye, bench.at, vec3(0, 1, 0), bench.fov};
   scene.width = scene.height = 512;
   scene.directions = 16;
   scene.effects.resize(1);
   scene.effects[0].max_distance.kind = DistanceLimit::Kind::none;
-  const std::vector<Option> all = options();
+  const std::vector<Option> all = options(width == 16 ? "8 children a node" : "16 children a node");
   std::vector<Candidate> candidates;
   for (const Option& option : all) {
     Scene changed = scene;
@@ -241,7 +244,8 @@ void run_options(const Settings& s) {
     Candidate& made = candidates.emplace_back();
     made.plan = make_plan(changed, mesh);
     const auto source = [&](const std::string& file) { return option.kernels(kernel_source(file)); };
-    made.tracer = std::make_unique<PathTracer>(device, made.plan, mesh, bvh, source, option.traversal);
+    made.tracer = std::make_unique<PathTracer>(device, made.plan, mesh, option.other_width ? other : bvh,
+                                               source, option.traversal);
   }
   const std::vector<std::uint32_t> pixels = pixels_in_order(candidates[0].plan.window, scene.width);
   for (Candidate& c : candidates) c.run(pixels);  // compiles, and touches memory

@@ -26,8 +26,8 @@ class TracedAo {
   Result run(std::uint32_t directions) const;
   Scene scene_;
   const TriangleMesh& mesh_;
-  Bvh bvh_;
   Device device_;
+  Bvh bvh_;
   double seconds_of_camera_rays_, seconds_per_direction_;
 };
 

@@ -142,6 +142,14 @@
 #define REACH 0
 #endif
 
+// Children of a node of the tree: the lanes of a vector. The buffers must hold such a tree.
+#ifndef BVH_WIDTH
+#define BVH_WIDTH 16
+#endif
+#if BVH_WIDTH != 8 && BVH_WIDTH != 16
+#error "BVH_WIDTH: 8 or 16"
+#endif
+
 // 1: one ray at a time, for GPUs; 0: streams of rays over vectors of boxes and triangles, for CPUs. The same bits.
 #ifndef TRAVERSAL_SCALAR
 #define TRAVERSAL_SCALAR 0

@@ -22,11 +22,13 @@
 __constant ulong LANE_LISTS[256] = {LISTS_64(0ul), LISTS_64(64ul), LISTS_64(128ul), LISTS_64(192ul)};
 #endif
 
-// Appends first + step * lane for each of 16 lanes that is set, lowest first; returns how many. Up to 16 words behind them are overwritten.
+// Appends first + step * lane for each of a node's lanes that is set, lowest first; returns how many. Up to BVH_WIDTH words behind them
+// are overwritten.
 INLINE uint append_lanes(uint* to, uint first, uint step, uint lanes) {
 #if STREAM_AVX512
-  const int16 all = as_int16(first + step * LANE_NUMBERS);
-  STORE_UINTS(to, as_uint16(__builtin_ia32_compresssi512_mask(all, all, (ushort)lanes)));
+  APPEND_LANES(to, first + step * NODE_LANES, lanes);
+#elif BVH_WIDTH == 8
+  STORE_UINTS8(to, first + step * convert_uint8(as_uchar8(LANE_LISTS[lanes])));
 #else
   const uint low = lanes & 255u, high = lanes >> 8;
   STORE_UINTS8(to, first + step * convert_uint8(as_uchar8(LANE_LISTS[low])));
@@ -35,7 +37,7 @@ INLINE uint append_lanes(uint* to, uint first, uint step, uint lanes) {
   return popcount(lanes);
 }
 
-// The items of some of a node's children; up to 16 words behind them are overwritten.
+// The items of some of a node's children; up to BVH_WIDTH words behind them are overwritten.
 INLINE uint append_children(uint* to, __global const BvhNode* node, uint lanes) {
   const uint nodes = BVH_COUNT(node->nodes), all_nodes = (1u << nodes) - 1u;
   const uint count = append_lanes(to, BVH_FIRST(node->nodes), 1u, lanes & all_nodes);
@@ -43,10 +45,10 @@ INLINE uint append_children(uint* to, __global const BvhNode* node, uint lanes) 
 }
 
 // BVH_ITEM of each lane; of the lanes without a child any value.
-INLINE uint16 child_items(__global const BvhNode* node) {
+INLINE node_uint child_items(__global const BvhNode* node) {
   const uint nodes = BVH_COUNT(node->nodes);
-  return LANE_NUMBERS + (LANE_NUMBERS < nodes ? (uint16)(BVH_FIRST(node->nodes))
-                                              : (uint16)((BVH_LEAF | BVH_FIRST(node->leaves)) - nodes));
+  return NODE_LANES + (NODE_LANES < nodes ? (node_uint)(BVH_FIRST(node->nodes))
+                                          : (node_uint)((BVH_LEAF | BVH_FIRST(node->leaves)) - nodes));
 }
 
 #endif

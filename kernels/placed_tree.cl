@@ -11,6 +11,10 @@
 
 #if INSTANCES
 
+#if BVH_LEAF_WIDTH > BVH_WIDTH
+#error "a leaf of the tree over instances is opened as a node"
+#endif
+
 #define NO_INSTANCE 0xffffffffu  // an item of the tree over the instances
 
 float3 placed_point(__global const PlacedMesh* mesh, float3 p) {
@@ -21,29 +25,29 @@ float3 placed_point(__global const PlacedMesh* mesh, float3 p) {
 // One coordinate of a box's lower (or, `upper`, its upper) corner after placing. Within the box each fma of PLACED is least at the
 // corner that the signs of the row choose; all its vertices are placed by PLACED too, so none lies below. Then grown by an ulp or
 // two, as the boxes of the tree are (bvh.h).
-INLINE float16 placed_planes(__global const BvhNode* node, __global const float* row, bool upper) {
+INLINE node_float placed_planes(__global const BvhNode* node, __global const float* row, bool upper) {
   __global const float* planes = &node->lo[0][0];
   const uint x = (row[0] < 0.0f) != upper ? HI_PLANES : 0u, y = (row[1] < 0.0f) != upper ? HI_PLANES : 0u,
              z = (row[2] < 0.0f) != upper ? HI_PLANES : 0u;
-  const float16 bound = fma((float16)(row[0]), vload16(0, planes + x),
-                            fma((float16)(row[1]), vload16(1, planes + y),
-                                fma((float16)(row[2]), vload16(2, planes + z), (float16)(row[3]))));
-  const float16 growth = fma(fabs(bound), 0x1p-23f, (float16)(0x1p-126f));
+  const node_float bound = fma((node_float)(row[0]), LOAD_NODE(planes + x),
+                            fma((node_float)(row[1]), LOAD_NODE(planes + BVH_WIDTH + y),
+                                fma((node_float)(row[2]), LOAD_NODE(planes + 2u * BVH_WIDTH + z), (node_float)(row[3]))));
+  const node_float growth = fma(fabs(bound), 0x1p-23f, (node_float)(0x1p-126f));
   return upper ? bound + growth : bound - growth;
 }
 
 INLINE void open_placed_node(OpenedNode* opened, __global const BvhNode* node, __global const PlacedMesh* mesh, uint instance) {
   // A slot without a child has infinite planes, and 0 times them would be NaN: those of x alone keep every ray out.
-  const int16 empty = LANE_NUMBERS >= BVH_CHILDREN(node);
-  const float16 lo = placed_planes(node, mesh->point[0], false), hi = placed_planes(node, mesh->point[0], true);
-  STORE_FLOATS(opened->lo[0], empty ? (float16)(INFINITY) : lo);
-  STORE_FLOATS(opened->hi[0], empty ? (float16)(-INFINITY) : hi);
+  const node_int empty = NODE_LANES >= BVH_CHILDREN(node);
+  const node_float lo = placed_planes(node, mesh->point[0], false), hi = placed_planes(node, mesh->point[0], true);
+  STORE_NODE_FLOATS(opened->lo[0], empty ? (node_float)(INFINITY) : lo);
+  STORE_NODE_FLOATS(opened->hi[0], empty ? (node_float)(-INFINITY) : hi);
   for (uint axis = 1; axis < 3; ++axis) {
-    STORE_FLOATS(opened->lo[axis], placed_planes(node, mesh->point[axis], false));
-    STORE_FLOATS(opened->hi[axis], placed_planes(node, mesh->point[axis], true));
+    STORE_NODE_FLOATS(opened->lo[axis], placed_planes(node, mesh->point[axis], false));
+    STORE_NODE_FLOATS(opened->hi[axis], placed_planes(node, mesh->point[axis], true));
   }
-  STORE_UINTS(opened->child, child_items(node));
-  STORE_UINTS(opened->instance, (uint16)(instance));
+  STORE_NODE_UINTS(opened->child, child_items(node));
+  STORE_NODE_UINTS(opened->instance, (node_uint)(instance));
 }
 
 // A leaf of the tree over the instances: lane i holds the placed mesh triangle[i], point i is the lower corner of its box and point i + 8
@@ -72,11 +76,11 @@ INLINE void open_node(OpenedNode* opened, __global const BvhNode* nodes, __globa
   } else {
     __global const BvhNode* node = &nodes[item];
     for (uint axis = 0; axis < 3; ++axis) {
-      STORE_FLOATS(opened->lo[axis], vload16(0, node->lo[axis]));
-      STORE_FLOATS(opened->hi[axis], vload16(0, node->hi[axis]));
+      STORE_NODE_FLOATS(opened->lo[axis], LOAD_NODE(node->lo[axis]));
+      STORE_NODE_FLOATS(opened->hi[axis], LOAD_NODE(node->hi[axis]));
     }
-    STORE_UINTS(opened->child, child_items(node));
-    STORE_UINTS(opened->instance, (uint16)(NO_INSTANCE));
+    STORE_NODE_UINTS(opened->child, child_items(node));
+    STORE_NODE_UINTS(opened->instance, (node_uint)(NO_INSTANCE));
   }
 }
 

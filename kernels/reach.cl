@@ -98,31 +98,31 @@ INLINE Reach reach_of(const RayDirections* origins, const RayDirections* d, uint
 
 // The children of a node that may be in reach; `inside`: one of them surely is, for a whole side of its box is, which a triangle touches.
 INLINE uint children_in_reach(TREE_NODE* node, const Reach* r, bool* inside) {
-#define REACH_FLOAT float16
-#define REACH_INT int16
-  float16 apart = 0.0f, gap = 0.0f, size = 0.0f, extent = 0.0f;
-  float16 high = 0.0f, low = 0.0f, beyond = 0.0f, rise = 0.0f;
-#define AXIS(axis, index)                                                                  \
-  {                                                                                        \
-    const float16 lo = vload16(0, node->lo[index]) - r->origin.axis;                       \
-    const float16 hi = vload16(0, node->hi[index]) - r->origin.axis;                       \
-    BOX_AXIS(lo, hi)                                                                       \
-    const float16 x = r->normal.axis * lo, y = r->normal.axis * hi;                        \
-    high += x > y ? x : y;                                                                 \
-    low += x > y ? y : x;                                                                  \
-    const float16 p = fabs(lo), q = fabs(hi), far = p > q ? p : q;                         \
-    beyond += far * far;                                                                   \
-    const float16 along = fabs(y - x);                                                     \
-    rise = along > rise ? along : rise;                                                    \
+#define REACH_FLOAT node_float
+#define REACH_INT node_int
+  node_float apart = 0.0f, gap = 0.0f, size = 0.0f, extent = 0.0f;
+  node_float high = 0.0f, low = 0.0f, beyond = 0.0f, rise = 0.0f;
+#define AXIS(axis, index)                                              \
+  {                                                                    \
+    const node_float lo = LOAD_NODE(node->lo[index]) - r->origin.axis; \
+    const node_float hi = LOAD_NODE(node->hi[index]) - r->origin.axis; \
+    BOX_AXIS(lo, hi)                                                   \
+    const node_float x = r->normal.axis * lo, y = r->normal.axis * hi; \
+    high += x > y ? x : y;                                             \
+    low += x > y ? y : x;                                              \
+    const node_float p = fabs(lo), q = fabs(hi), far = p > q ? p : q;  \
+    beyond += far * far;                                               \
+    const node_float along = fabs(y - x);                              \
+    rise = along > rise ? along : rise;                                \
   }
   AXIS(x, 0)
   AXIS(y, 1)
   AXIS(z, 2)
 #undef AXIS
   OUT_OF_REACH(r->of_place * size)
-  const uint filled = NONZERO_LANES(vload16(0, node->lo[0]) < INFINITY);
-  *inside = (NONZERO_LANES((beyond < r->farthest * r->farthest) & (low + rise > 0.0f)) & filled) != 0;
-  return NONZERO_LANES(out == 0) & filled;
+  const uint filled = NONZERO_CHILDREN(LOAD_NODE(node->lo[0]) < INFINITY);
+  *inside = (NONZERO_CHILDREN((beyond < r->farthest * r->farthest) & (low + rise > 0.0f)) & filled) != 0;
+  return NONZERO_CHILDREN(out == 0) & filled;
 #undef REACH_FLOAT
 #undef REACH_INT
 }
@@ -177,8 +177,8 @@ bool in_reach(__global const BvhNode* nodes, __global const TriangleLeaf* leaves
     bool inside;
     const uint lanes = children_in_reach(&opened, r, &inside);
     if (inside) return true;
-    APPEND_LANES(stack + size, vload16(0, opened.child), lanes);
-    APPEND_LANES(stack_instance + size, vload16(0, opened.instance), lanes);
+    APPEND_LANES(stack + size, LOAD_NODE(opened.child), lanes);
+    APPEND_LANES(stack_instance + size, LOAD_NODE(opened.instance), lanes);
     size += popcount(lanes);
   }
   return false;

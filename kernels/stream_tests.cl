@@ -6,18 +6,18 @@
 #include "stream_rays.cl"
 
 // enter_box() for all children of a node: entry distances, and lanes of -1 where ray k meets the child within [0, limit].
-INLINE int16 enter_children(TREE_NODE* node, const StreamRays* r, uint k, float limit, float16* entry) {
+INLINE node_int enter_children(TREE_NODE* node, const StreamRays* r, uint k, float limit, node_float* entry) {
   TREE_FLOATS* planes = &node->lo[0][0];
   const uint nx = r->near_x[k], ny = r->near_y[k], nz = r->near_z[k];
   const uint fx = HI_PLANES - nx, fy = HI_PLANES + 2u * BVH_WIDTH - ny, fz = HI_PLANES + 4u * BVH_WIDTH - nz;
   const float ox = r->ox[k], oy = r->oy[k], oz = r->oz[k];
-  const float16 ax = (vload16(0, planes + nx) - ox) * r->ix[k];
-  const float16 ay = (vload16(0, planes + ny) - oy) * r->iy[k];
-  const float16 az = (vload16(0, planes + nz) - oz) * r->iz[k];
-  const float16 bx = (vload16(0, planes + fx) - ox) * r->ix[k];
-  const float16 by = (vload16(0, planes + fy) - oy) * r->iy[k];
-  const float16 bz = (vload16(0, planes + fz) - oz) * r->iz[k];
-  float16 enter = 0.0f, leave = limit;
+  const node_float ax = (LOAD_NODE(planes + nx) - ox) * r->ix[k];
+  const node_float ay = (LOAD_NODE(planes + ny) - oy) * r->iy[k];
+  const node_float az = (LOAD_NODE(planes + nz) - oz) * r->iz[k];
+  const node_float bx = (LOAD_NODE(planes + fx) - ox) * r->ix[k];
+  const node_float by = (LOAD_NODE(planes + fy) - oy) * r->iy[k];
+  const node_float bz = (LOAD_NODE(planes + fz) - oz) * r->iz[k];
+  node_float enter = 0.0f, leave = limit;
   enter = ax > enter ? ax : enter;
   leave = bx < leave ? bx : leave;
   enter = ay > enter ? ay : enter;

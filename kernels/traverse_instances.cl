@@ -35,16 +35,16 @@ uint stream_occluded(BVH_PARAMS, const RayDirections* origins, const RayDirectio
     } else {
       OpenedNode opened;
       open_node(&opened, nodes, leaves, instances, item, instance);
-      int16 met = 0;  // bit k of a lane: ray k meets that child
+      node_int met = 0;  // bit k of a lane: ray k meets that child
       for (; rest; rest &= rest - 1) {
         const uint k = LOWEST_BIT(rest);
-        float16 entry;
-        met |= enter_children(&opened, &rays, k, max_distance, &entry) & (int16)(int)(1u << k);
+        node_float entry;
+        met |= enter_children(&opened, &rays, k, max_distance, &entry) & (node_int)(int)(1u << k);
       }
-      const uint lanes = NONZERO_LANES(met);
-      APPEND_LANES(stack_item + size, vload16(0, opened.child), lanes);
-      APPEND_LANES(stack_rays + size, as_uint16(met), lanes);
-      APPEND_LANES(stack_instance + size, vload16(0, opened.instance), lanes);
+      const uint lanes = NONZERO_CHILDREN(met);
+      APPEND_LANES(stack_item + size, LOAD_NODE(opened.child), lanes);
+      APPEND_LANES(stack_rays + size, AS_NODE_UINT(met), lanes);
+      APPEND_LANES(stack_instance + size, LOAD_NODE(opened.instance), lanes);
       for (const uint end = size + popcount(lanes); size < end; ++size) PREFETCH_ITEM(stack_item[size])
     }
   }
@@ -87,22 +87,22 @@ void stream_closest(BVH_PARAMS, const RayDirections* origins, const RayDirection
     }
     OpenedNode opened;
     open_node(&opened, nodes, leaves, instances, item, instance);
-    int16 met = 0;
-    float16 nearest = INFINITY;
+    node_int met = 0;
+    node_float nearest = INFINITY;
     for (uint rest = waiting; rest; rest &= rest - 1) {
       const uint k = LOWEST_BIT(rest);
-      float16 entry;
-      const int16 hit = enter_children(&opened, &rays, k, t[k], &entry);
-      met |= hit & (int16)(int)(1u << k);
-      entry = hit ? entry : (float16)(INFINITY);
+      node_float entry;
+      const node_int hit = enter_children(&opened, &rays, k, t[k], &entry);
+      met |= hit & (node_int)(int)(1u << k);
+      entry = hit ? entry : (node_float)(INFINITY);
       nearest = entry < nearest ? entry : nearest;
     }
     float lane_entry[BVH_WIDTH];
     uint lane_rays[BVH_WIDTH];
-    STORE_FLOATS(lane_entry, nearest);
-    STORE_UINTS(lane_rays, as_uint16(met));
+    STORE_NODE_FLOATS(lane_entry, nearest);
+    STORE_NODE_UINTS(lane_rays, AS_NODE_UINT(met));
     const uint first = size;
-    for (uint lanes = NONZERO_LANES(met); lanes; lanes &= lanes - 1) {
+    for (uint lanes = NONZERO_CHILDREN(met); lanes; lanes &= lanes - 1) {
       const uint lane = LOWEST_BIT(lanes);
       PREFETCH_ITEM(opened.child[lane])
       uint place = size++;  // insertion keeps the nearest on top

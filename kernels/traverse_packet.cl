@@ -59,15 +59,15 @@ INLINE bool make_packet(const StreamRays* r, uint active, Packet* p) {
 }
 
 // The children that the interval meets within [0, limit], and where it enters them at the earliest.
-INLINE uint children_met(__global const BvhNode* node, const Packet* p, float limit, float16* entry) {
+INLINE uint children_met(__global const BvhNode* node, const Packet* p, float limit, node_float* entry) {
   __global const float* planes = &node->lo[0][0];
-  float16 enter = 0.0f, leave = limit;
+  node_float enter = 0.0f, leave = limit;
 #define SLAB(axis, base)                                                                                              \
   {                                                                                                                   \
-    const float16 a = vload16(0, planes + p->near_##axis) - p->origin.axis;                                           \
-    const float16 b = vload16(0, planes + (HI_PLANES + 2u * (base) * BVH_WIDTH - p->near_##axis)) - p->origin.axis;   \
-    const float16 a0 = a * p->least.axis, a1 = a * p->most.axis, b0 = b * p->least.axis, b1 = b * p->most.axis;       \
-    const float16 near_distance = a0 < a1 ? a0 : a1, far_distance = b0 > b1 ? b0 : b1;                                \
+    const node_float a = LOAD_NODE(planes + p->near_##axis) - p->origin.axis;                                         \
+    const node_float b = LOAD_NODE(planes + (HI_PLANES + 2u * (base) * BVH_WIDTH - p->near_##axis)) - p->origin.axis; \
+    const node_float a0 = a * p->least.axis, a1 = a * p->most.axis, b0 = b * p->least.axis, b1 = b * p->most.axis;    \
+    const node_float near_distance = a0 < a1 ? a0 : a1, far_distance = b0 > b1 ? b0 : b1;                             \
     enter = near_distance > enter ? near_distance : enter;                                                            \
     leave = far_distance < leave ? far_distance : leave;                                                              \
   }
@@ -76,7 +76,7 @@ INLINE uint children_met(__global const BvhNode* node, const Packet* p, float li
   SLAB(z, 2u)
 #undef SLAB
   *entry = enter;
-  return NONZERO_LANES(enter <= leave * FAR_PLANE_GROWTH);
+  return NONZERO_CHILDREN(enter <= leave * FAR_PLANE_GROWTH);
 }
 
 // enter_box() for one child and the rays of `rays`: those that meet it within [0, t].
@@ -184,10 +184,10 @@ void packet_closest(BVH_PARAMS, const StreamRays* r, const Packet* p, uint activ
       limit = farthest(t, active);
     } else {
       __global const BvhNode* node = &nodes[item];
-      float16 entry;
+      node_float entry;
       uint lanes = children_met(node, p, limit, &entry);
       float lane_entry[BVH_WIDTH];
-      STORE_FLOATS(lane_entry, entry);
+      STORE_NODE_FLOATS(lane_entry, entry);
       const uint first = size;
       for (; lanes; lanes &= lanes - 1) {
         const uint lane = LOWEST_BIT(lanes);

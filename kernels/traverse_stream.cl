@@ -12,14 +12,14 @@
 // A tree of one node: its leaves, largest first, each tested by the rays that none before it has occluded.
 INLINE uint occluded_by_root(BVH_PARAMS, const StreamRays* rays, const RayDirections* origins, const RayDirections* d, uint active,
                              float max_distance) {
-  int16 met = 0;  // bit k of a lane: ray k meets that child
+  node_int met = 0;  // bit k of a lane: ray k meets that child
   for (uint rest = active; rest; rest &= rest - 1) {
     const uint k = LOWEST_BIT(rest);
-    float16 entry;
-    met |= enter_children(nodes, rays, k, max_distance, &entry) & (int16)(int)(1u << k);
+    node_float entry;
+    met |= enter_children(nodes, rays, k, max_distance, &entry) & (node_int)(int)(1u << k);
   }
   uint met_rays[BVH_WIDTH];
-  STORE_UINTS(met_rays, as_uint16(met));
+  STORE_NODE_UINTS(met_rays, AS_NODE_UINT(met));
   uint open = active;
   for (uint lane = BVH_COUNT(nodes->leaves); open && lane-- > 0;) {
     __global const TriangleLeaf* leaf = &leaves[BVH_FIRST(nodes->leaves) + lane];
@@ -57,7 +57,7 @@ uint stream_occluded(BVH_PARAMS, const RayDirections* origins, const RayDirectio
       item[count++] = stack[k * RAY_STACK + --size[k]];
     }
     for (uint i = 0; i < count; ++i) {
-      float16 entry;
+      node_float entry;
       KEEP_LANES(&kept[i], enter_children(&nodes[item[i]], &rays, ray[i], max_distance, &entry));
     }
     uint leaves_met = 0;
@@ -110,23 +110,23 @@ void stream_closest(BVH_PARAMS, const RayDirections* origins, const RayDirection
       }
     } else {
       __global const BvhNode* node = &nodes[item];
-      int16 met = 0;
-      float16 nearest = INFINITY;
+      node_int met = 0;
+      node_float nearest = INFINITY;
       for (uint rest = stack_rays[size]; rest; rest &= rest - 1) {
         const uint k = LOWEST_BIT(rest);
         if (least_entry > t[k] * FAR_PLANE_GROWTH) continue;
-        float16 entry;
-        const int16 hit = enter_children(node, &rays, k, t[k], &entry);
-        met |= hit & (int16)(int)(1u << k);
-        entry = hit ? entry : (float16)(INFINITY);
+        node_float entry;
+        const node_int hit = enter_children(node, &rays, k, t[k], &entry);
+        met |= hit & (node_int)(int)(1u << k);
+        entry = hit ? entry : (node_float)(INFINITY);
         nearest = entry < nearest ? entry : nearest;
       }
       float lane_entry[BVH_WIDTH];
       uint lane_rays[BVH_WIDTH];
-      STORE_FLOATS(lane_entry, nearest);
-      STORE_UINTS(lane_rays, as_uint16(met));
+      STORE_NODE_FLOATS(lane_entry, nearest);
+      STORE_NODE_UINTS(lane_rays, AS_NODE_UINT(met));
       const uint first = size;
-      for (uint lanes = NONZERO_LANES(met); lanes; lanes &= lanes - 1) {
+      for (uint lanes = NONZERO_CHILDREN(met); lanes; lanes &= lanes - 1) {
         const uint lane = LOWEST_BIT(lanes);
         const uint child = BVH_ITEM(node, lane);
         PREFETCH_ITEM(child)

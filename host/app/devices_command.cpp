@@ -4,6 +4,7 @@
 #include "app/commands.hpp"
 #include "base/error.hpp"
 #include "device/device.hpp"
+#include "render/path_tracer.hpp"
 
 namespace nook {
 namespace {
@@ -19,9 +20,10 @@ int print_devices() {
   for (const DeviceInfo& d : devices)
     fmt::print(
         "{}:{}  {}  {}\n     {}; driver {}; {} compute units, vectors of {} floats, {:.1f} GiB (at most "
-        "{:.1f} GiB a buffer)\n",
+        "{:.1f} GiB a buffer), {} children a node of the tree\n",
         d.platform_index, d.device_index, type_name(d), d.name, d.platform_name, d.driver, d.compute_units,
-        d.native_float_width, double(d.memory) / (1u << 30), double(d.max_allocation) / (1u << 30));
+        d.native_float_width, double(d.memory) / (1u << 30), double(d.max_allocation) / (1u << 30),
+        tree_width(d));
   return 0;
 }
 

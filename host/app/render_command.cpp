@@ -252,9 +252,10 @@ int render(const Scene& scene, const RenderOptions& options, Loaded& loaded) {
   record.device = device.info();
   if (!options.quiet) announce(record, stop);
   watch.lap();
+  const unsigned width = tree_width(device.info());
   std::future<PathTracer::Programs> programs =
-      std::async(std::launch::async, [&] { return PathTracer::build_programs(device, record.plan); });
-  if (!loaded.bvh) loaded.bvh = build_bvh(mesh, {.threads = options.device.threads});
+      std::async(std::launch::async, [&] { return PathTracer::build_programs(device, record.plan, width); });
+  if (!loaded.bvh) loaded.bvh = build_bvh(mesh, {.threads = options.device.threads, .width = width});
   const Bvh& bvh = *loaded.bvh;
   record.seconds.bvh = watch.lap();
   PathTracer tracer(device, record.plan, mesh, bvh, kernel_source, Traversal::automatic, programs.get());

@@ -13,6 +13,7 @@
 #include "bvh/bvh.hpp"
 #include "film/exr.hpp"
 #include "mesh/mesh_analysis.hpp"
+#include "render/path_tracer.hpp"
 #include "render/scene_mesh.hpp"
 #include "report/study_page.hpp"
 #include "scene/names.hpp"
@@ -167,7 +168,7 @@ int study(const StudyOptions& options) {
 
   const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene, false));
   const Device device = options.device.open();
-  const Bvh bvh = build_bvh(mesh, {.threads = options.device.threads});
+  const Bvh bvh = build_bvh(mesh, {.threads = options.device.threads, .width = tree_width(device.info())});
   catch_interrupts();
 
   // As many pixels as the budget can afford; the size of an earlier study in the folder, so that it can go

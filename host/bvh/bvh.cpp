@@ -27,7 +27,7 @@ Bvh build(const TriangleMesh& mesh, const BvhOptions& options) {
   for (const SplitRule rule : {SplitRule::surface_area, SplitRule::median}) {
     const BinaryTree tree = build_binary_tree(mesh, rule, pool);
     build_seconds = seconds_since(start);
-    bvh = collapse(tree, mesh, pool);
+    bvh = collapse(tree, mesh, options.width, pool);
     collapse_seconds = seconds_since(start) - build_seconds;
     // A mesh made to be deep gets a balanced tree, so that the kernels' stack suffices.
     if (bvh.statistics.depth <= BVH_MAX_DEPTH) break;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "base/large_vector.hpp"
@@ -13,18 +14,27 @@ namespace nook {
 
 struct BvhOptions {
   unsigned threads = 0;  ///< 0: all
+  unsigned width = 16;   ///< children of a node: 8 or 16
 };
 
-// The kernels' layout: no padding but what BvhNode names.
-static_assert(sizeof(BvhNode) == 7 * BVH_WIDTH * 4 && offsetof(BvhNode, hi) == 3 * BVH_WIDTH * 4 &&
-              offsetof(BvhNode, nodes) == 6 * BVH_WIDTH * 4);
+// The kernels' layout: no padding but what BvhNode names, and whole cache lines.
+template <unsigned Width>
+constexpr bool is_packed = sizeof(BvhNode<Width>) == (6 * Width + 16) * 4 &&
+                           offsetof(BvhNode<Width>, hi) == 3 * Width * 4 &&
+                           offsetof(BvhNode<Width>, nodes) == 6 * Width * 4 &&
+                           sizeof(BvhNode<Width>) % 64 == 0;
+static_assert(is_packed<8> && is_packed<16>);
 static_assert(sizeof(TriangleLeaf) == 4 * 64 && offsetof(TriangleLeaf, triangle) == 3 * 64);
+
+template <unsigned Width>
+using BvhNodes = LargeVector<BvhNode<Width>>;
 
 /// A wide bounding volume hierarchy, flattened into the structs of kernels/shared/bvh.h, ready to upload. Of
 /// a mesh with instances: a tree over them, whose leaves name instances instead of triangles (point i
 /// and point i + 8 are the corners of the i-th box), and in the same arrays a tree for each part.
 struct Bvh {
-  LargeVector<BvhNode> nodes;         ///< nodes[0] is the root; without triangles it has no children
+  /// The first is the root; without triangles it has no children.
+  std::variant<BvhNodes<16>, BvhNodes<8>> nodes;
   LargeVector<TriangleLeaf> leaves;   ///< never empty, since a buffer cannot be
   std::vector<PlacedMesh> instances;  ///< the mesh's, complete; empty without
   struct Statistics {
@@ -35,9 +45,12 @@ struct Bvh {
     double triangles_per_leaf = 0;
   } statistics;
 
+  unsigned width() const { return std::holds_alternative<BvhNodes<8>>(nodes) ? 8 : 16; }
+  std::size_t node_bytes() const {
+    return std::visit([](const auto& all) { return all.size() * sizeof(all[0]); }, nodes);
+  }
   std::size_t bytes() const {
-    return nodes.size() * sizeof(BvhNode) + leaves.size() * sizeof(TriangleLeaf) +
-           instances.size() * sizeof(PlacedMesh);
+    return node_bytes() + leaves.size() * sizeof(TriangleLeaf) + instances.size() * sizeof(PlacedMesh);
   }
 };
 

@@ -7,12 +7,11 @@
 namespace nook {
 namespace {
 
-constexpr unsigned width = BVH_WIDTH;
 constexpr std::uint32_t task_size = 8192;  // pairs of a subtree that is a task of its own
 
 }  // namespace
 
-Choices::Choices(const BinaryTree& tree, TaskPool& pool) : tree_(tree) {
+Choices::Choices(const BinaryTree& tree, unsigned width, TaskPool& pool) : tree_(tree), width_(width) {
   if (tree.pairs.size() < 2) return;
   choices_.resize(tree.pairs.size() - 1);
   std::vector<Subtree> subtrees;
@@ -55,9 +54,9 @@ Choices::Costs Choices::choose_above(std::uint32_t node, const Subtree*& next) {
 Choices::Costs Choices::combine(std::uint32_t index, const Costs& l, const Costs& r) {
   const BinaryNode& node = tree_.nodes[index];
   Choice& choice = choices_[tree_.inner_number(index)];
-  const unsigned most_left = std::min(width, node.left_count),
-                 most_right = std::min(width, node.count - node.left_count),
-                 most = std::min(width, most_left + most_right);  // more roots than pairs are no use
+  const unsigned most_left = std::min(width_, node.left_count),
+                 most_right = std::min(width_, node.count - node.left_count),
+                 most = std::min(width_, most_left + most_right);  // more roots than pairs are no use
   Costs costs;
   choice.left.fill(0);
   for (unsigned k = 2; k <= most; ++k) {
@@ -90,7 +89,7 @@ Choices::Costs Choices::combine(std::uint32_t index, const Costs& l, const Costs
   choice.as_leaf = node.count <= BVH_LEAF_PAIRS && !(as_node < as_leaf);
   costs[0] = choice.as_leaf ? as_leaf : as_node;
   // One root may be cheaper than several.
-  for (unsigned k = 2; k <= width && costs[k - 1] > costs[0]; ++k) {
+  for (unsigned k = 2; k <= width_ && costs[k - 1] > costs[0]; ++k) {
     costs[k - 1] = costs[0];
     choice.left[k - 1] = 0;
   }

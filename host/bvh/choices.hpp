@@ -13,10 +13,12 @@ constexpr float bvh_node_cost = 1.0f;
 constexpr float bvh_leaf_cost = 1.2f;
 
 /// The cheapest way to collapse a binary tree into wide nodes and leaves, by dynamic programming over "this
-/// subtree as at most k roots", k = 1 to BVH_WIDTH, where each root is a leaf or a node.
+/// subtree as at most k roots", k = 1 to the nodes' width, where each root is a leaf or a node.
 class Choices {
  public:
-  Choices(const BinaryTree& tree, TaskPool& pool);
+  static constexpr unsigned most_width = 16;
+
+  Choices(const BinaryTree& tree, unsigned width, TaskPool& pool);
 
   /// Whether the subtree, as one root, is a leaf.
   bool is_leaf(std::uint32_t node) const {
@@ -25,20 +27,20 @@ class Choices {
 
   struct Children {
     std::uint32_t count = 0;
-    std::array<std::uint32_t, BVH_WIDTH> roots;  ///< of the binary tree
+    std::array<std::uint32_t, most_width> roots;  ///< of the binary tree
   };
   /// The children of the wide node that stands for the subtree, which is no leaf.
   Children children_of(std::uint32_t node) const;
 
  private:
   struct Choice {
-    std::array<std::uint8_t, BVH_WIDTH>
+    std::array<std::uint8_t, most_width>
         left;  // [k-1]: roots given to the left child; 0: the same as with k-1 roots
     std::uint8_t open_left, open_right;  // roots that the children get where this subtree's root is a node
     bool as_leaf;                        // how one root is made
   };
   // Costs of a subtree that is represented by at most k roots: [k-1].
-  using Costs = std::array<float, BVH_WIDTH>;
+  using Costs = std::array<float, most_width>;
   // A subtree that is a task of its own.
   struct Subtree {
     std::uint32_t node;
@@ -51,6 +53,7 @@ class Choices {
   void gather(std::uint32_t node, unsigned k, Children& children) const;
 
   const BinaryTree& tree_;
+  const unsigned width_;
   LargeVector<Choice> choices_;  // by BinaryTree::inner_number()
 };
 

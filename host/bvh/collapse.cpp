@@ -12,11 +12,12 @@ namespace {
 constexpr std::uint32_t task_size = 8192;  // pairs of a subtree that is a task of its own
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-BvhNode empty_node() {
-  BvhNode node = {};
+template <unsigned Width>
+BvhNode<Width> empty_node() {
+  BvhNode<Width> node = {};
   for (int axis = 0; axis < 3; ++axis) {
-    std::fill_n(node.lo[axis], BVH_WIDTH, infinity);
-    std::fill_n(node.hi[axis], BVH_WIDTH, -infinity);
+    std::fill_n(node.lo[axis], Width, infinity);
+    std::fill_n(node.hi[axis], Width, -infinity);
   }
   return node;
 }
@@ -40,19 +41,20 @@ struct Job {
   Place next;            // where its descendants' places begin
 };
 
+template <unsigned Width>
 class Collapser {
  public:
   Collapser(const BinaryTree& tree, const TriangleMesh& mesh, TaskPool& pool)
-      : tree_(tree), mesh_(mesh), pool_(pool), choices_(tree, pool) {}
+      : tree_(tree), mesh_(mesh), pool_(pool), choices_(tree, Width, pool) {}
 
   // The places are those of a traversal in depth: a node's children, then what is below each of them.
   // Descendants are counted before anything is written, so that tasks write side by side.
   Bvh run() {
     if (tree_.empty()) {
       // A buffer cannot be empty: a node without children, a leaf that no node refers to.
-      bvh_.nodes.push_back(empty_node());
+      nodes_.push_back(empty_node<Width>());
       bvh_.leaves.push_back(empty_leaf());
-      return std::move(bvh_);
+      return finished();
     }
     list_tasks(0);
     counts_.resize(tasks_.size());
@@ -63,7 +65,7 @@ class Collapser {
     Place all = below_above(0, task);
     ++all.nodes;
     check_bvh_size(all.nodes, all.leaves);
-    bvh_.nodes.resize(all.nodes);
+    nodes_.resize(all.nodes);
     bvh_.leaves.resize(all.leaves);
     Place next = {1, 0};
     fill_above({0, 1, 0, {}}, next);
@@ -76,7 +78,7 @@ class Collapser {
       bvh_.statistics.sah_cost += s.sah_cost;
     }
     bvh_.statistics.triangles_per_leaf = double(triangles()) / double(bvh_.leaves.size());
-    return std::move(bvh_);
+    return finished();
   }
 
  private:
@@ -84,6 +86,11 @@ class Collapser {
     std::size_t count = 0;
     for (const TrianglePair& pair : tree_.pairs) count += pair.second == BVH_EMPTY ? 1 : 2;
     return count;
+  }
+
+  Bvh finished() {
+    bvh_.nodes = std::move(nodes_);
+    return std::move(bvh_);
   }
 
   bool is_task(std::uint32_t root) const { return tree_.nodes[root].count <= task_size; }
@@ -175,7 +182,7 @@ class Collapser {
     const float root_area = tree_.nodes[0].half_area();
     const Choices::Children children = sorted_children(job.root);
     std::vector<Job> open;
-    BvhNode made = empty_node();
+    BvhNode<Width> made = empty_node<Width>();
     const Place first = next;
     for (std::uint32_t i = 0; i < children.count; ++i) {
       const std::uint32_t child = children.roots[i];
@@ -195,7 +202,7 @@ class Collapser {
     }
     made.nodes = BVH_RANGE(first.nodes, next.nodes - first.nodes);
     made.leaves = BVH_RANGE(first.leaves, next.leaves - first.leaves);
-    bvh_.nodes[job.target] = made;
+    nodes_[job.target] = made;
     return open;
   }
 
@@ -221,13 +228,14 @@ class Collapser {
   std::vector<std::uint32_t> tasks_;  // roots
   std::vector<Place> counts_;         // below each task's wide node
   std::vector<Job> jobs_;             // the same tasks, placed
-  Bvh bvh_;
+  BvhNodes<Width> nodes_;
+  Bvh bvh_;  // the rest of it
 };
 
 }  // namespace
 
-Bvh collapse(const BinaryTree& tree, const TriangleMesh& mesh, TaskPool& pool) {
-  return Collapser(tree, mesh, pool).run();
+Bvh collapse(const BinaryTree& tree, const TriangleMesh& mesh, unsigned width, TaskPool& pool) {
+  return width == 8 ? Collapser<8>(tree, mesh, pool).run() : Collapser<16>(tree, mesh, pool).run();
 }
 
 }  // namespace nook

@@ -14,7 +14,8 @@ constexpr float infinity = std::numeric_limits<float>::infinity(),
 
 // The world's box of a placed part: of the boxes of its root's children, for they lie closer than the root's.
 // Grown by an ulp as theirs are, and finite as its vertices are.
-Bounds3 box_of(const PlacedMesh& place, const BvhNode& root) {
+template <unsigned Width>
+Bounds3 box_of(const PlacedMesh& place, const BvhNode<Width>& root) {
   Bounds3 box;
   for (int lane = 0; lane < int(BVH_CHILDREN(&root)); ++lane) {
     Bounds3 child;
@@ -47,33 +48,28 @@ Bvh tree_over(const std::vector<Bounds3>& boxes, const std::vector<nook_uint>& n
 }
 
 // Appends a tree and says where its root is; what it had is freed.
+template <unsigned Width>
 nook_uint append_tree(Bvh& whole, Bvh&& part) {
-  const auto first_node = nook_uint(whole.nodes.size()), first_leaf = nook_uint(whole.leaves.size());
-  check_bvh_size(whole.nodes.size() + part.nodes.size(), whole.leaves.size() + part.leaves.size());
-  for (BvhNode node : part.nodes) {
+  auto &nodes = std::get<BvhNodes<Width>>(whole.nodes), &more = std::get<BvhNodes<Width>>(part.nodes);
+  const auto first_node = nook_uint(nodes.size()), first_leaf = nook_uint(whole.leaves.size());
+  check_bvh_size(nodes.size() + more.size(), whole.leaves.size() + part.leaves.size());
+  for (BvhNode<Width> node : more) {
     node.nodes += first_node;
     node.leaves += first_leaf;
-    whole.nodes.push_back(node);
+    nodes.push_back(node);
   }
   whole.leaves.insert(whole.leaves.end(), part.leaves.begin(), part.leaves.end());
   part = {};
   return first_node;
 }
 
-}  // namespace
-
-void rename_triangles(Bvh& bvh, std::span<const nook_uint> names) {
-  for (TriangleLeaf& leaf : bvh.leaves)
-    for (nook_uint& name : leaf.triangle)
-      if (name != BVH_EMPTY) name = names[name];
-}
-
-Bvh join_trees(const TriangleMesh& mesh, std::vector<Bvh> parts, const BvhOptions& options) {
+template <unsigned Width>
+Bvh join(const TriangleMesh& mesh, std::vector<Bvh> parts, const BvhOptions& options) {
   std::vector<Bounds3> boxes;
   std::vector<nook_uint> names;
   for (std::size_t i = 0; i < mesh.instances.size(); ++i) {
     const TriangleMesh::Instance& instance = mesh.instances[i];
-    const BvhNode& root = parts[instance.part].nodes.front();
+    const BvhNode<Width>& root = std::get<BvhNodes<Width>>(parts[instance.part].nodes).front();
     if (BVH_CHILDREN(&root) == 0) continue;
     boxes.push_back(box_of(instance.place, root));
     names.push_back(nook_uint(i));
@@ -90,7 +86,7 @@ Bvh join_trees(const TriangleMesh& mesh, std::vector<Bvh> parts, const BvhOption
     deepest = std::max(deepest, part.statistics.depth);
     leaves += part.leaves.size();
     filled += std::size_t(part.statistics.triangles_per_leaf * double(part.leaves.size()) + 0.5);
-    roots.push_back(append_tree(whole, std::move(part)));
+    roots.push_back(append_tree<Width>(whole, std::move(part)));
   }
   all.depth += deepest;
   all.triangles_per_leaf = double(filled) / double(leaves);
@@ -101,6 +97,19 @@ Bvh join_trees(const TriangleMesh& mesh, std::vector<Bvh> parts, const BvhOption
     whole.instances.push_back(place);
   }
   return whole;
+}
+
+}  // namespace
+
+void rename_triangles(Bvh& bvh, std::span<const nook_uint> names) {
+  for (TriangleLeaf& leaf : bvh.leaves)
+    for (nook_uint& name : leaf.triangle)
+      if (name != BVH_EMPTY) name = names[name];
+}
+
+Bvh join_trees(const TriangleMesh& mesh, std::vector<Bvh> parts, const BvhOptions& options) {
+  return options.width == 8 ? join<8>(mesh, std::move(parts), options)
+                            : join<16>(mesh, std::move(parts), options);
 }
 
 }  // namespace nook

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "device/opencl.hpp"
@@ -64,6 +65,10 @@ class Device {
   template <class T, class Allocator>
   ClBuffer input(const std::vector<T, Allocator>& data) const {
     return input_bytes(data.data(), data.size() * sizeof(T));
+  }
+  template <class... Vectors>
+  ClBuffer input(const std::variant<Vectors...>& data) const {
+    return std::visit([this](const auto& chosen) { return input(chosen); }, data);
   }
 
   std::uint64_t bytes_uploaded() const { return bytes_uploaded_; }

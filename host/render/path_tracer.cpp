@@ -27,8 +27,9 @@ Traversal chosen(const Device& device, Traversal traversal) {
   return device.info().is_cpu() ? Traversal::stream : Traversal::scalar;
 }
 
-BuildOptions options_of(const KernelPlan& kernel, Traversal traversal) {
+BuildOptions options_of(const KernelPlan& kernel, Traversal traversal, unsigned width) {
   BuildOptions options = kernel.options;
+  if (width != 16) options.define("BVH_WIDTH", width);
   if (traversal == Traversal::scalar) options.define("TRAVERSAL_SCALAR", 1);
   if (traversal == Traversal::portable) options.define("TRAVERSAL_PORTABLE", 1);
   return options;
@@ -45,6 +46,10 @@ double seconds_of(const ClEvent& kernel) {
 }
 
 }  // namespace
+
+unsigned tree_width(const DeviceInfo& device) {
+  return device.is_cpu() && device.native_float_width < 16 ? 8 : 16;
+}
 
 struct PathTracer::Slot {
   Batch batch;
@@ -68,9 +73,11 @@ PathTracer::PathTracer(const Device& device, const Plan& plan, const TriangleMes
     : device_(device),
       plan_(plan),
       traversal_(chosen(device, traversal)),
+      width_(bvh.width()),
       positions_(device.input(mesh.positions)),
       triangles_(device.input(mesh.triangles)),
-      programs_(programs.empty() ? build_programs(device, plan, source, traversal) : std::move(programs)) {
+      programs_(programs.empty() ? build_programs(device, plan, width_, source, traversal)
+                                 : std::move(programs)) {
   normals_ = optional(plan_.vertex_normals, mesh.normals);
   triangle_normals_ = optional(plan_.vertex_normals, mesh.triangle_normals);
   triangle_materials_ = optional(plan_.materials, mesh.triangle_material);
@@ -92,11 +99,11 @@ PathTracer::PathTracer(const Device& device, const Plan& plan, const TriangleMes
   counters_.effect_rays.resize(effects_.size());
 }
 
-PathTracer::Programs PathTracer::build_programs(const Device& device, const Plan& plan,
+PathTracer::Programs PathTracer::build_programs(const Device& device, const Plan& plan, unsigned width,
                                                 const KernelSource& source, Traversal traversal) {
   Programs programs;
   const auto add = [&](const KernelPlan& kernel) {
-    const BuildOptions options = options_of(kernel, chosen(device, traversal));
+    const BuildOptions options = options_of(kernel, chosen(device, traversal), width);
     const auto [place, fresh] = programs.try_emplace(kernel.file + options.text());
     if (fresh) place->second = build_program(device, source(kernel.file), options);
   };
@@ -113,10 +120,10 @@ PathTracer::Tree PathTracer::upload(const Bvh& bvh) const {
 void PathTracer::upload_sets(const TriangleMesh& mesh) {
   set_trees_.reserve(plan_.occluder_sets.size());
   for (const std::vector<std::uint32_t>& set : plan_.occluder_sets)
-    trees_.push_back(upload(set_trees_.emplace_back(build_bvh(mesh, set))));
+    trees_.push_back(upload(set_trees_.emplace_back(build_bvh(mesh, set, {.width = width_}))));
   const bool self = plan_.only_self();
   if (self) {
-    group_trees_ = build_group_trees(mesh);
+    group_trees_ = build_group_trees(mesh, width_);
     trees_of_groups_ = upload(group_trees_.trees);
   }
   triangle_groups_ = optional(self, mesh.triangle_group);
@@ -134,7 +141,8 @@ void PathTracer::set_tree(cl_kernel kernel, cl_uint& arg, const Tree& tree) cons
 }
 
 ClKernel PathTracer::kernel(const KernelPlan& kernel) const {
-  return programs_.at(kernel.file + options_of(kernel, traversal_).text()).kernel(kernel.entry.c_str());
+  return programs_.at(kernel.file + options_of(kernel, traversal_, width_).text())
+      .kernel(kernel.entry.c_str());
 }
 
 EstimatorParams PathTracer::params_for(const EffectPlan& effect, const Batch& batch) const {

@@ -50,6 +50,11 @@ struct Finished {
 /// portable is stream without a processor's own instructions. The same bits.
 enum class Traversal { automatic, stream, portable, scalar };
 
+/// The children a node of the trees that are best for a device: as many as a vector has floats, 8 or 16,
+/// where rays go through the tree in streams. Elsewhere 16: a ray by itself reads the children one after
+/// another, and of wide nodes it visits fewer.
+unsigned tree_width(const DeviceInfo& device);
+
 /// One scene on one device: uploaded once, its kernels specialised to the plan.
 class PathTracer {
  public:
@@ -59,14 +64,14 @@ class PathTracer {
 
   /// The programs of a plan, by file and options.
   using Programs = std::map<std::string, BuiltProgram>;
-  /// Builds them, from the disk cache or by compiling, with nothing but the plan: while the tree is built, in
-  /// another thread. Throws Error(device).
-  static Programs build_programs(const Device& device, const Plan& plan,
+  /// Builds them, from the disk cache or by compiling, with nothing but the plan and the width of the trees
+  /// to come: while those are built, in another thread. Throws Error(device).
+  static Programs build_programs(const Device& device, const Plan& plan, unsigned width,
                                  const KernelSource& source = kernel_source,
                                  Traversal traversal = Traversal::automatic);
 
-  /// `programs` are those of the plan if they are built already. `mesh` and `bvh` must outlive it: where
-  /// device and host share memory they are used in place. Throws Error(device).
+  /// `programs` are those of the plan and of bvh's width if they are built already. `mesh` and `bvh` must
+  /// outlive it: where device and host share memory they are used in place. Throws Error(device).
   PathTracer(const Device& device, const Plan& plan, const TriangleMesh& mesh, const Bvh& bvh,
              const KernelSource& source = kernel_source, Traversal traversal = Traversal::automatic,
              Programs programs = {});
@@ -150,6 +155,7 @@ class PathTracer {
   const Device& device_;
   Plan plan_;
   Traversal traversal_;
+  unsigned width_;              // of all trees
   std::vector<Bvh> set_trees_;  // of Plan::occluder_sets
   GroupTrees group_trees_;
   CutOuts cut_outs_;

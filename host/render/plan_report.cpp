@@ -64,7 +64,7 @@ void add_kernels(const Plan& plan, PlanReport& report) {
 }
 
 void add_buffers(const Plan& plan, const TriangleMesh& mesh, const Bvh& bvh, PlanReport& report) {
-  report.buffers = {{"tree nodes", bytes_of(bvh.nodes)},
+  report.buffers = {{"tree nodes", bvh.node_bytes()},
                     {"tree leaves", bytes_of(bvh.leaves)},
                     {"positions", bytes_of(mesh.positions)},
                     {"triangles", bytes_of(mesh.triangles)}};
@@ -74,9 +74,9 @@ void add_buffers(const Plan& plan, const TriangleMesh& mesh, const Bvh& bvh, Pla
     report.buffers.push_back({"triangle normals", bytes_of(mesh.triangle_normals)});
   }
   for (const auto& set : plan.occluder_sets)
-    report.buffers.push_back({"tree of a set", build_bvh(mesh, set).bytes()});
+    report.buffers.push_back({"tree of a set", build_bvh(mesh, set, {.width = bvh.width()}).bytes()});
   if (plan.only_self()) {
-    const GroupTrees groups = build_group_trees(mesh);
+    const GroupTrees groups = build_group_trees(mesh, bvh.width());
     report.buffers.push_back({"trees of groups", groups.trees.bytes()});
     report.buffers.push_back({"groups", bytes_of(groups.first) + bytes_of(mesh.triangle_group)});
   }

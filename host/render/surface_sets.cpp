@@ -63,18 +63,30 @@ std::vector<std::uint32_t> triangles_of(const TriangleBits& bits) {
   return triangles;
 }
 
-GroupTrees build_group_trees(const TriangleMesh& mesh) {
+namespace {
+
+template <unsigned Width>
+GroupTrees group_trees(const TriangleMesh& mesh) {
   std::vector<std::vector<std::uint32_t>> triangles(mesh.groups.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) triangles[mesh.triangle_group[t]].push_back(t);
   GroupTrees made;
+  BvhNodes<Width> nodes;
   for (const std::vector<std::uint32_t>& group : triangles) {
-    const Bvh tree = build_bvh(mesh, group);
-    made.first.push_back(std::uint32_t(made.trees.nodes.size()));
+    const Bvh tree = build_bvh(mesh, group, {.width = Width});
+    const auto& of_group = std::get<BvhNodes<Width>>(tree.nodes);
+    made.first.push_back(std::uint32_t(nodes.size()));
     made.first.push_back(std::uint32_t(made.trees.leaves.size()));
-    made.trees.nodes.insert(made.trees.nodes.end(), tree.nodes.begin(), tree.nodes.end());
+    nodes.insert(nodes.end(), of_group.begin(), of_group.end());
     made.trees.leaves.insert(made.trees.leaves.end(), tree.leaves.begin(), tree.leaves.end());
   }
+  made.trees.nodes = std::move(nodes);
   return made;
+}
+
+}  // namespace
+
+GroupTrees build_group_trees(const TriangleMesh& mesh, unsigned width) {
+  return width == 8 ? group_trees<8>(mesh) : group_trees<16>(mesh);
 }
 
 }  // namespace nook

@@ -22,11 +22,11 @@ TriangleBits named_triangles(const Scene& scene, const TriangleMesh& mesh, const
 std::vector<std::uint32_t> triangles_of(const TriangleBits& bits);
 
 /// A tree over each group's triangles, in one pair of buffers: for effects of `occluders = "self"`. Node and
-/// leaf indices of a group's tree count from its first ones.
+/// leaf indices of a group's tree count from its first ones. `width`: BvhOptions::width.
 struct GroupTrees {
   Bvh trees;
   std::vector<std::uint32_t> first;  ///< of each group: its first node, its first leaf
 };
-GroupTrees build_group_trees(const TriangleMesh& mesh);
+GroupTrees build_group_trees(const TriangleMesh& mesh, unsigned width);
 
 }  // namespace nook

@@ -10,35 +10,35 @@
 #include "shared/instance.h"
 #endif
 
-#define BVH_WIDTH 16           // children of a node
 #define BVH_LEAF_PAIRS 4
 #define BVH_LEAF_WIDTH 8       // triangles of a leaf: two a pair
 #define BVH_LEAF 0x80000000u   // in an item that a traversal visits: the rest is an index into the leaves, not the nodes
 #define BVH_EMPTY 0xffffffffu  // no item, no triangle
-#define BVH_MAX_DEPTH 33       // levels of nodes that the builder may make
-// A popped node pushes BVH_WIDTH children at most, so each level keeps BVH_WIDTH - 1 entries waiting. With INSTANCES a mesh's tree
-// stands on a leaf of the tree over the instances, which pushes BVH_LEAF_PAIRS of them: on the level below its last nodes.
-#if defined(__OPENCL_C_VERSION__) && INSTANCES
-#define BVH_TREES 2
-#else
-#define BVH_TREES 1
-#endif
-#define BVH_STACK_SIZE (BVH_TREES * BVH_MAX_DEPTH * (BVH_WIDTH - 1) + 1)
+#define BVH_MAX_DEPTH 33       // levels of nodes that the builder may make: a balanced tree has no more, whatever its width
 
-// Seven cache lines. Read as:
+// A node of up to `width` children, which in kernels is BVH_WIDTH: seven cache lines with 16, four with 8. Read as:
 //   for axis, lane: enter = ((d[axis] < 0 ? hi : lo)[axis][lane] - origin[axis]) / d[axis] ...
 //   the lanes from 0 on are nodes: those of `nodes`; then come leaves: those of `leaves`
 // The boxes contain their triangles strictly (grown by one ulp); a lane without a child has (+inf, -inf), which no ray meets.
 // Nodes and leaves come by rising area: pushed in this order, a stack pops the largest first.
+#define BVH_NODE_FIELDS(width)                     \
+  float lo[3][width]; /* world units */            \
+  float hi[3][width];                              \
+  nook_uint nodes;  /* BVH_RANGE of Bvh::nodes */  \
+  nook_uint leaves; /* BVH_RANGE of Bvh::leaves */ \
+  nook_uint unused[14];
+#ifdef __OPENCL_C_VERSION__
 typedef struct {
-  float lo[3][BVH_WIDTH];  // world units
-  float hi[3][BVH_WIDTH];
-  nook_uint nodes;   // BVH_RANGE of Bvh::nodes
-  nook_uint leaves;  // BVH_RANGE of Bvh::leaves
-  nook_uint unused[BVH_WIDTH - 2];
+  BVH_NODE_FIELDS(BVH_WIDTH)
 } BvhNode;
+#else
+template <unsigned Width>
+struct BvhNode {
+  BVH_NODE_FIELDS(Width)
+};
+#endif
 
-// Up to BVH_WIDTH neighbours in an array of up to 2^27: the first and how many.
+// Up to 16 neighbours in an array of up to 2^27: the first and how many.
 #define BVH_RANGE(first, count) ((nook_uint)(first) | (nook_uint)(count) << 27)
 #define BVH_FIRST(range) ((range) & 0x7ffffffu)
 #define BVH_COUNT(range) ((range) >> 27)
@@ -63,6 +63,14 @@ typedef struct {
   ((corner) == 0 ? (lane) : (corner) == 1 ? (lane) + BVH_LEAF_WIDTH : (lane) ^ BVH_LEAF_PAIRS)
 
 #ifdef __OPENCL_C_VERSION__
+// A popped node pushes BVH_WIDTH children at most, so each level keeps BVH_WIDTH - 1 entries waiting. With INSTANCES a mesh's tree
+// stands on a leaf of the tree over the instances, which pushes BVH_LEAF_PAIRS of them.
+#if INSTANCES
+#define BVH_STACK_SIZE (2 * BVH_MAX_DEPTH * (BVH_WIDTH - 1) + BVH_LEAF_PAIRS)
+#else
+#define BVH_STACK_SIZE (BVH_MAX_DEPTH * (BVH_WIDTH - 1) + 1)
+#endif
+
 // What a kernel passes through to the traversal: its buffers are Bvh::nodes and Bvh::leaves, in this order, with CUT_OUTS
 // those of CutOuts, and with INSTANCES Bvh::instances. BVH_ARGS_AT: of several trees in one pair of buffers, the one that starts
 // there.

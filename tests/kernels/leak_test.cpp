@@ -47,8 +47,8 @@ TEST(Leaks, NoneThroughTheEdgesAndVerticesOfAStar) {
   const char* asked = std::getenv("NOOK_LEAK_RAYS");
   const std::uint64_t rays = asked ? std::strtoull(asked, nullptr, 10) : 1'000'000;
   const TriangleMesh mesh = star(40);
-  for (const auto& [variant, options] : traversal_variants()) {
-    RayProbe probe(mesh, options);
+  for (const TraversalVariant& variant : traversal_variants()) {
+    RayProbe probe(mesh, variant);
     EXPECT_EQ(leaks(probe, mesh, Aim::edge, rays / 2), 0u) << variant << ", edges";
     EXPECT_EQ(leaks(probe, mesh, Aim::vertex, rays / 2), 0u) << variant << ", vertices";
   }

@@ -1,4 +1,4 @@
-// Masks of 16 lanes: as they are kept while rays are tested, and as lists.
+// Masks of a node's lanes: as they are kept while rays are tested, and as lists.
 #include "traverse.cl"
 
 #define ROOM 48u
@@ -8,7 +8,7 @@
 __kernel void lanes_of_mask(uint first, uint step, uint before, __global uint* out) {
   const uint mask = get_global_id(0);
   KeptLanes kept;
-  KEEP_LANES(&kept, ((int16)(int)mask & LANE_BITS) != 0);
+  KEEP_LANES(&kept, ((node_int)(int)mask & NODE_BITS) != 0);
   uint list[ROOM];
   for (uint i = 0; i < ROOM; ++i) list[i] = 7u;
   const uint count = append_lanes(list + before, first, step, mask);

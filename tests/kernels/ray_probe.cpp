@@ -90,12 +90,22 @@ void run(const Device& device, const ClKernel& kernel, const Bvh& bvh, const std
       "clEnqueueReadBuffer");
 }
 
+std::string source_of(const TraversalVariant& variant) {
+  const std::string text = flatten_kernel("ray_probe", source);
+  return variant.avx512 ? text : test::without_avx512(text);
+}
+
 }  // namespace
 
-RayProbe::RayProbe(const TriangleMesh& mesh, const BuildOptions& variant)
-    : bvh_(build_bvh(mesh)),
+std::ostream& operator<<(std::ostream& out, const TraversalVariant& variant) {
+  return out << variant.name;
+}
+
+RayProbe::RayProbe(const TriangleMesh& mesh, const TraversalVariant& variant)
+    : bvh_(build_bvh(mesh, {.width = variant.width})),
       device_(test::device()),
-      program_(build_program(device_, flatten_kernel("ray_probe", source), variant)) {}
+      program_(build_program(device_, source_of(variant),
+                             BuildOptions(variant.options).define("BVH_WIDTH", variant.width))) {}
 
 std::vector<std::uint32_t> RayProbe::bits(const char* kernel, const std::vector<RayStream>& streams,
                                           float max_distance) {
@@ -127,10 +137,16 @@ std::vector<ClosestHit> RayProbe::closest(const std::vector<RayStream>& streams,
   return result;
 }
 
-std::vector<std::pair<std::string, BuildOptions>> traversal_variants() {
-  return {{"stream", BuildOptions()},
-          {"portable stream", BuildOptions().define("TRAVERSAL_PORTABLE", 1)},
-          {"scalar", BuildOptions().define("TRAVERSAL_SCALAR", 1)}};
+std::vector<TraversalVariant> traversal_variants() {
+  std::vector<TraversalVariant> variants;
+  for (const unsigned width : {16u, 8u}) {
+    const std::string of = ", " + std::to_string(width) + " children a node";
+    variants.push_back({"stream" + of, {}, width});
+    variants.push_back({"portable stream" + of, BuildOptions().define("TRAVERSAL_PORTABLE", 1), width});
+    variants.push_back({"scalar" + of, BuildOptions().define("TRAVERSAL_SCALAR", 1), width});
+  }
+  variants.push_back({"stream without AVX-512, 8 children a node", {}, 8, false});
+  return variants;
 }
 
 }  // namespace nook::testing

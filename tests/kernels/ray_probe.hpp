@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -29,10 +30,19 @@ struct SurfaceSample {
   float u = 0, v = 0, side = 1;
 };
 
-/// A mesh on the device, and the traversal's queries as kernels, built with the given options (a variant).
+/// A way of traversal.
+struct TraversalVariant {
+  std::string name = "stream";
+  BuildOptions options = {};
+  unsigned width = 16;  ///< children of a node
+  bool avx512 = true;   ///< if the device has it
+};
+std::ostream& operator<<(std::ostream& out, const TraversalVariant& variant);
+
+/// A mesh on the device, and the traversal's queries as kernels.
 class RayProbe {
  public:
-  RayProbe(const TriangleMesh& mesh, const BuildOptions& variant = {});
+  RayProbe(const TriangleMesh& mesh, const TraversalVariant& variant = {});
 
   /// Bit k of element i: ray k of stream i is occluded.
   std::vector<std::uint32_t> occluded(const std::vector<RayStream>& streams, float max_distance);
@@ -51,7 +61,7 @@ class RayProbe {
   BuiltProgram program_;
 };
 
-/// The distinct ways of traversal, by name: every one must give the same answers.
-std::vector<std::pair<std::string, BuildOptions>> traversal_variants();
+/// The distinct ways of traversal: every one must give the same answers.
+std::vector<TraversalVariant> traversal_variants();
 
 }  // namespace nook::testing

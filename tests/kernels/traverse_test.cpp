@@ -150,8 +150,8 @@ std::vector<Case> cases() {
 
 TEST(Traverse, OcclusionMatchesBruteForce) {
   for (const Case& c : cases())
-    for (const auto& [variant, options] : traversal_variants()) {
-      RayProbe probe(c.mesh, options);
+    for (const TraversalVariant& variant : traversal_variants()) {
+      RayProbe probe(c.mesh, variant);
       for (const float limit : {infinity, 0.3f}) {
         std::vector<RayStream> streams = random_streams(40, 11, 1.2f);
         for (const RayStream& s : axis_parallel_streams(20, 12)) streams.push_back(s);
@@ -177,8 +177,8 @@ TEST(Traverse, OcclusionMatchesBruteForce) {
 
 TEST(Traverse, ClosestMatchesBruteForce) {
   for (const Case& c : cases())
-    for (const auto& [variant, options] : traversal_variants()) {
-      RayProbe probe(c.mesh, options);
+    for (const TraversalVariant& variant : traversal_variants()) {
+      RayProbe probe(c.mesh, variant);
       const std::vector<RayStream> streams = random_streams(40, 21, 1.2f);
       const auto hits = probe.closest(streams, infinity);
       for (std::size_t i = 0; i < streams.size(); ++i)
@@ -212,8 +212,8 @@ TEST(Traverse, VariantsAgreeToTheBit) {
     for (const RayStream& s : axis_parallel_streams(500, 32)) streams.push_back(s);
     for (const float limit : {infinity, 0.3f}) {
       std::vector<std::uint32_t> first;
-      for (const auto& [variant, options] : traversal_variants()) {
-        RayProbe probe(c.mesh, options);
+      for (const TraversalVariant& variant : traversal_variants()) {
+        RayProbe probe(c.mesh, variant);
         const auto bits = probe.occluded(streams, limit);
         if (first.empty()) first = bits;
         EXPECT_EQ(first, bits) << c.name << ", " << variant << ", limit " << limit;
@@ -231,8 +231,8 @@ TEST(Traverse, ClosestHitsAgreeToTheBit) {
     for (const RayStream& s : axis_parallel_streams(500, 35)) streams.push_back(s);
     for (const float limit : {infinity, 0.3f}) {
       std::vector<ClosestHit> first;
-      for (const auto& [variant, options] : traversal_variants()) {
-        RayProbe probe(c.mesh, options);
+      for (const TraversalVariant& variant : traversal_variants()) {
+        RayProbe probe(c.mesh, variant);
         const auto hits = probe.closest(streams, limit);
         if (first.empty()) first = hits;
         std::size_t different = 0;
@@ -264,8 +264,8 @@ TEST(Traverse, PairsChangeNoBit) {
   ASSERT_GT(number[1].size(), mesh.triangles.size() / 3);
   std::vector<RayStream> streams = narrow_streams(1000, 36);
   for (const RayStream& s : random_streams(500, 37, 1.2f)) streams.push_back(s);
-  for (const auto& [variant, options] : traversal_variants()) {
-    RayProbe whole(mesh, options), first(half[0], options), second(half[1], options);
+  for (const TraversalVariant& variant : traversal_variants()) {
+    RayProbe whole(mesh, variant), first(half[0], variant), second(half[1], variant);
     auto bits = first.occluded(streams, 0.8f);
     const auto others = second.occluded(streams, 0.8f);
     for (std::size_t i = 0; i < bits.size(); ++i) bits[i] |= others[i];
@@ -284,6 +284,22 @@ TEST(Traverse, PairsChangeNoBit) {
                     (nearest.t != all[i].t || nearest.u != all[i].u || nearest.v != all[i].v));
     }
     EXPECT_EQ(different, 0u) << variant;
+  }
+}
+
+// Wherever a variant's tree holds them, and in whatever order it comes to them.
+TEST(Traverse, OfEquallyNearTrianglesTheLowestIsMet) {
+  TriangleMesh mesh = sphere({0, 0, 0}, 0.9f, 24);
+  const std::uint32_t once = std::uint32_t(mesh.triangles.size());
+  for (std::uint32_t i = once; i-- > 0;) mesh.triangles.push_back(mesh.triangles[i]);
+  std::vector<RayStream> streams = narrow_streams(200, 36);
+  for (const RayStream& s : random_streams(200, 37, 0.5f)) streams.push_back(s);
+  for (const TraversalVariant& variant : traversal_variants()) {
+    unsigned first = 0, second = 0;
+    for (const ClosestHit& hit : RayProbe(mesh, variant).closest(streams, infinity))
+      if (hit.triangle != 0xffffffffu) ++(hit.triangle < once ? first : second);
+    EXPECT_GT(first, 6400u) << variant;
+    EXPECT_EQ(second, 0u) << variant;
   }
 }
 
@@ -308,8 +324,8 @@ std::uint64_t leaks(RayProbe& probe, const TriangleMesh& mesh, bool vertices, un
 
 TEST(Traverse, NoRayLeaksThroughEdgesOrVertices) {
   for (const auto& [name, mesh] : {Case{"sphere", sphere({0, 0, 0}, 1, 40)}, Case{"box", closed_box(10)}})
-    for (const auto& [variant, options] : traversal_variants()) {
-      RayProbe probe(mesh, options);
+    for (const TraversalVariant& variant : traversal_variants()) {
+      RayProbe probe(mesh, variant);
       EXPECT_EQ(leaks(probe, mesh, false, 41), 0u) << name << " edges, " << variant;
       EXPECT_EQ(leaks(probe, mesh, true, 42), 0u) << name << " vertices, " << variant;
     }
@@ -360,8 +376,8 @@ TEST(Traverse, NothingMeetsAnEmptyOrDegenerateMesh) {
   TriangleMesh points;
   add_triangle(points, {0, 0, 0}, {0, 0, 0}, {1, 1, 1});
   for (const TriangleMesh& mesh : {TriangleMesh(), points})
-    for (const auto& [variant, options] : traversal_variants()) {
-      RayProbe probe(mesh, options);
+    for (const TraversalVariant& variant : traversal_variants()) {
+      RayProbe probe(mesh, variant);
       for (const std::uint32_t bits : probe.occluded(random_streams(100, 51, 2), infinity))
         ASSERT_EQ(bits, 0u) << variant;
       for (const ClosestHit& hit : probe.closest(random_streams(100, 51, 2), infinity))

@@ -1,7 +1,8 @@
 cmake_minimum_required(VERSION 3.25)
 
 # Parses the kernels as OpenCL C 1.2 without a device: every file by itself, and those with entry points under every
-# value of every macro of config.h, for each effect. What config.h refuses by #error is not a legal configuration.
+# value of every macro of config.h, for each effect and either width of the tree. What config.h refuses by #error is not a
+# legal configuration.
 if(NOT CLANG)
   message("skipped: no clang here to parse the kernels with")
   return()
@@ -40,7 +41,7 @@ foreach(line IN LISTS lines)
     list(APPEND macros ${CMAKE_MATCH_1})
   endif()
 endforeach()
-list(REMOVE_ITEM macros EFFECT)  # combined with all others
+list(REMOVE_ITEM macros EFFECT BVH_WIDTH)  # combined with all others
 foreach(macro IN LISTS macros)
   set(values "")
   foreach(line IN LISTS lines)
@@ -53,8 +54,10 @@ foreach(macro IN LISTS macros)
   endif()
   foreach(value IN LISTS values)
     foreach(effect EFFECT_AMBIENT EFFECT_REFLECTION)
-      foreach(file IN LISTS entries)
-        parse(${file} -DEFFECT=${effect} -D${macro}=${value})
+      foreach(width 16 8)
+        foreach(file IN LISTS entries)
+          parse(${file} -DEFFECT=${effect} -DBVH_WIDTH=${width} -D${macro}=${value})
+        endforeach()
       endforeach()
     endforeach()
   endforeach()

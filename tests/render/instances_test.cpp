@@ -108,10 +108,10 @@ struct Traced {
   RenderCounters counters;
 };
 
-Traced trace(const Scene& scene, const TriangleMesh& mesh, Traversal traversal) {
+Traced trace(const Scene& scene, const TriangleMesh& mesh, Traversal traversal, unsigned width = 16) {
   const Plan plan = make_plan(scene, mesh, true);
   EXPECT_EQ(plan.instances, !mesh.instances.empty());
-  const Bvh bvh = build_bvh(mesh);
+  const Bvh bvh = build_bvh(mesh, {.width = width});
   PathTracer tracer(device(), plan, mesh, bvh, kernel_source, traversal);
   const auto pixels = pixels_in_order(plan.window, plan.width);
   Traced traced;
@@ -186,10 +186,11 @@ TEST(Instances, HaveTheBitsOfCopiesInEveryEffect) {
   EXPECT_GT(hits(oracle), 1000u);
   for (const Film& film : oracle.films)
     EXPECT_GT(std::count_if(film.sum.begin(), film.sum.end(), [](auto sum) { return sum > 0; }), 50);
-  for (const Traversal traversal : {Traversal::stream, Traversal::portable, Traversal::scalar}) {
-    SCOPED_TRACE(int(traversal));
-    expect_same(oracle, trace(scene, both.trees, traversal));
-  }
+  for (const unsigned width : {16u, 8u})
+    for (const Traversal traversal : {Traversal::stream, Traversal::portable, Traversal::scalar}) {
+      SCOPED_TRACE(testing::Message() << width << " children a node, traversal " << int(traversal));
+      expect_same(oracle, trace(scene, both.trees, traversal, width));
+    }
 }
 
 TEST(Instances, HaveTheBitsOfCopiesWithCutOuts) {
@@ -197,10 +198,11 @@ TEST(Instances, HaveTheBitsOfCopiesWithCutOuts) {
   const Scene scene = view({within(2), many_effects()[5]});
   const Traced oracle = trace(scene, both.copies, Traversal::stream);
   EXPECT_NE(oracle.films[0].sum, trace(scene, usual_scene().copies, Traversal::stream).films[0].sum);
-  for (const Traversal traversal : {Traversal::stream, Traversal::portable, Traversal::scalar}) {
-    SCOPED_TRACE(int(traversal));
-    expect_same(oracle, trace(scene, both.trees, traversal));
-  }
+  for (const unsigned width : {16u, 8u})
+    for (const Traversal traversal : {Traversal::stream, Traversal::portable, Traversal::scalar}) {
+      SCOPED_TRACE(testing::Message() << width << " children a node, traversal " << int(traversal));
+      expect_same(oracle, trace(scene, both.trees, traversal, width));
+    }
 }
 
 // One size throughout from 1e-6 to 1e6, and a scene far from the origin.

@@ -1,4 +1,5 @@
-// Every specialisation of the kernels that a scene can call for, with every traversal: the same bits. The
+// Every specialisation of the kernels that a scene can call for, with every traversal through trees of either
+// width: the same bits. The
 // pictures are tiny, so that an interpreter can run them too (tests/tools/oclgrind_kernels.sh).
 #include <gtest/gtest.h>
 
@@ -41,6 +42,7 @@ std::vector<Variant> variants() {
       {"falloff", "type = \"ao\"\nmax_distance = 2\nfalloff = \"smooth\""},
       {"linear_falloff", "type = \"ao\"\nmax_distance = 2\nfalloff = \"linear\""},
       {"distance", "type = \"ao\"\nmax_distance = 1"},
+      {"nothing_in_reach", "type = \"ao\"\nmax_distance = 0.5"},
       {"least_distance", "type = \"ao\"\nmin_distance = 0.1\nmax_distance = 2"},
       {"cone", "type = \"ao\"\ncone_angle = 40"},
       {"inside", "type = \"ao\"\nside = \"inside\""},
@@ -54,6 +56,7 @@ std::vector<Variant> variants() {
       {"cut_outs", "type = \"ao\"", "cutouts = true"},
       {"instances", "type = \"ao\"", NOOK_INSTANCES},
       {"instances_of_the_closest", "type = \"ao\"\nmax_distance = 2\nfalloff = \"linear\"", NOOK_INSTANCES},
+      {"instances_in_reach", "type = \"ao\"\nmax_distance = 0.5", NOOK_INSTANCES},
       {"instances_with_cut_outs", "type = \"ao\"", "cutouts = true\n" NOOK_INSTANCES},
       {"cut_outs_of_the_closest", "type = \"ao\"\nmax_distance = 2\nfalloff = \"linear\"", "cutouts = true"}};
   for (const char* keys :
@@ -121,21 +124,24 @@ TEST_P(KernelVariants, EveryTraversalGivesTheSameBits) {
   const TriangleMesh mesh = load_scene_mesh(
       scene, {.normals = true, .uvs = true, .materials = true, .groups = true}, scene.instancing);
   const Plan plan = make_plan(scene, mesh, true);
-  const Bvh bvh = build_bvh(mesh);
-  ASSERT_GE(bvh.statistics.depth, 2u);
   const std::vector<std::uint32_t> pixels = pixels_in_order(plan.window, plan.width);
   std::vector<Film> first;
-  for (const Traversal traversal : {Traversal::stream, Traversal::portable, Traversal::scalar}) {
-    PathTracer tracer(device(), plan, mesh, bvh, kernel_source, traversal);
-    std::vector<Film> films = tracer.make_films();
-    tracer.accumulate(pixels, {0, plan.samples_per_pixel()}, films);
-    EXPECT_EQ(tracer.counters().rejected, 0u);
-    if (first.empty()) first = films;
-    EXPECT_EQ(films[0].sum, first[0].sum);
-    EXPECT_EQ(films[0].sum_square, first[0].sum_square);
-    EXPECT_EQ(films[0].hits, first[0].hits);
-    EXPECT_EQ(films[0].extra, first[0].extra);
-    EXPECT_GT(std::accumulate(films[0].sum.begin(), films[0].sum.end(), std::uint64_t(0)), 0u);
+  for (const unsigned width : {16u, 8u}) {
+    const Bvh bvh = build_bvh(mesh, {.width = width});
+    ASSERT_GE(bvh.statistics.depth, 2u);
+    for (const Traversal traversal : {Traversal::stream, Traversal::portable, Traversal::scalar}) {
+      SCOPED_TRACE(testing::Message() << width << " children a node, traversal " << int(traversal));
+      PathTracer tracer(device(), plan, mesh, bvh, kernel_source, traversal);
+      std::vector<Film> films = tracer.make_films();
+      tracer.accumulate(pixels, {0, plan.samples_per_pixel()}, films);
+      EXPECT_EQ(tracer.counters().rejected, 0u);
+      if (first.empty()) first = films;
+      EXPECT_EQ(films[0].sum, first[0].sum);
+      EXPECT_EQ(films[0].sum_square, first[0].sum_square);
+      EXPECT_EQ(films[0].hits, first[0].hits);
+      EXPECT_EQ(films[0].extra, first[0].extra);
+      EXPECT_GT(std::accumulate(films[0].sum.begin(), films[0].sum.end(), std::uint64_t(0)), 0u);
+    }
   }
 }
 

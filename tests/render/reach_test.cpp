@@ -57,7 +57,8 @@ TriangleMesh as_loaded(TriangleMesh mesh) {
 // One mesh, its tree, and what an effect gives with and without asking what is in reach.
 class Asked {
  public:
-  explicit Asked(TriangleMesh mesh) : mesh_(as_loaded(std::move(mesh))), bvh_(build_bvh(mesh_)) {}
+  explicit Asked(TriangleMesh mesh, unsigned width = 16)
+      : mesh_(as_loaded(std::move(mesh))), bvh_(build_bvh(mesh_, {.width = width})) {}
 
   const TriangleMesh& mesh() const { return mesh_; }
 
@@ -183,15 +184,18 @@ TEST(Reach, PicturesHaveTheSameBits) {
 }
 
 TEST(Reach, EveryTraversalAsks) {
-  const Asked court(courtyard());
   const Scene scene = of_courtyard(ao_within(0.2f), 16, 1);
-  const Traced all = court.picture(scene, false);
-  const Traced stream = court.picture(scene, true, Traversal::stream);
-  expect_the_same(stream, all);
-  for (const Traversal traversal : {Traversal::portable, Traversal::scalar}) {
-    const Traced other = court.picture(scene, true, traversal);
-    expect_the_same(other, all);
-    EXPECT_EQ(other.counters.occlusion_rays, stream.counters.occlusion_rays);
+  const Traced all = Asked(courtyard()).picture(scene, false);
+  for (const unsigned width : {16u, 8u}) {
+    SCOPED_TRACE(testing::Message() << width << " children a node");
+    const Asked court(courtyard(), width);
+    const Traced stream = court.picture(scene, true, Traversal::stream);
+    expect_the_same(stream, all);
+    for (const Traversal traversal : {Traversal::portable, Traversal::scalar}) {
+      const Traced other = court.picture(scene, true, traversal);
+      expect_the_same(other, all);
+      EXPECT_EQ(other.counters.occlusion_rays, stream.counters.occlusion_rays);
+    }
   }
 }
 
@@ -257,7 +261,8 @@ TEST(Reach, TooSmallAReachShows) {
        {std::pair{"apart > limit * limit", "apart > 0.3f * limit * limit"},
         {"(high < height", "(high < height + 0.5f"},
         {"return OR_LEAF_LANES((out == 0) & filled) != 0;", "return false;"},
-        {"return NONZERO_LANES(out == 0) & filled;", "return NONZERO_LANES(out == 0) & filled & 0xfff0u;"},
+        {"return NONZERO_CHILDREN(out == 0) & filled;",
+         "return NONZERO_CHILDREN(out == 0) & filled & 0xfff0u;"},
         {"r.spread = one_origin ? 0.0f : most_lane(spread);", "r.spread = -0.1f;"}}) {
     SCOPED_TRACE(find);
     const auto mutant = [&](const std::string& file) {

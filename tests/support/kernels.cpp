@@ -27,6 +27,10 @@ std::string test_kernel_source(const std::string& file) {
   return flatten_kernel("tests/kernels/" + file, text.str());
 }
 
+std::string without_avx512(const std::string& source) {
+  return "#undef __AVX512F__\n" + source;
+}
+
 TestProgram::TestProgram(const std::string& source, const BuildOptions& options)
     : program_(build_program(device(), source, options)) {}
 

@@ -13,6 +13,9 @@ Device& device();
 /// A test kernel, tests/kernels/FILE, with the product's files that it includes put in their place.
 std::string test_kernel_source(const std::string& file);
 
+/// The source as a device without AVX-512 compiles it.
+std::string without_avx512(const std::string& source);
+
 /// A buffer argument: read by the kernel before it runs, and back into the vector after.
 template <class T>
 struct InOut {

@@ -2,9 +2,11 @@
 // threads.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <random>
+#include <span>
 
 #include "base/error.hpp"
 #include "bvh/bvh.hpp"
@@ -26,7 +28,9 @@ TriangleMesh random_mesh(unsigned count, float size, unsigned seed) {
   return mesh;
 }
 
+template <unsigned Width>
 struct Visit {
+  const BvhNodes<Width>& nodes;
   const Bvh& bvh;
   const TriangleMesh& mesh;
   std::vector<unsigned> seen;
@@ -54,10 +58,10 @@ struct Visit {
 
   void node(std::uint32_t index, const Bounds3& outer, unsigned level) {
     depth = std::max(depth, level);
-    const BvhNode& n = bvh.nodes.at(index);
+    const BvhNode<Width>& n = nodes.at(index);
     bool leaves_begun = false;
     float last_area = 0;
-    for (int lane = 0; lane < BVH_WIDTH; ++lane) {
+    for (int lane = 0; lane < int(Width); ++lane) {
       if (lane >= int(BVH_CHILDREN(&n))) {
         ASSERT_EQ(n.lo[0][lane], std::numeric_limits<float>::infinity());
         ASSERT_EQ(n.hi[0][lane], -std::numeric_limits<float>::infinity());
@@ -88,8 +92,10 @@ struct Visit {
   }
 };
 
-void expect_valid(const TriangleMesh& mesh, const Bvh& bvh, unsigned expected_triangles) {
-  Visit visit{bvh, mesh, std::vector<unsigned>(mesh.triangles.size())};
+template <unsigned Width>
+void expect_valid(const TriangleMesh& mesh, const BvhNodes<Width>& nodes, const Bvh& bvh,
+                  unsigned expected_triangles) {
+  Visit<Width> visit{nodes, bvh, mesh, std::vector<unsigned>(mesh.triangles.size())};
   const float infinity = std::numeric_limits<float>::infinity();
   Bounds3 everything;
   everything.lo = vec3(-infinity);
@@ -105,43 +111,60 @@ void expect_valid(const TriangleMesh& mesh, const Bvh& bvh, unsigned expected_tr
   EXPECT_LE(visit.depth, unsigned(BVH_MAX_DEPTH));
 }
 
-TEST(BvhBuild, HoldsEveryTriangleOnceInsideItsBoxes) {
+void expect_valid(const TriangleMesh& mesh, const Bvh& bvh, unsigned expected_triangles) {
+  std::visit([&](const auto& nodes) { expect_valid(mesh, nodes, bvh, expected_triangles); }, bvh.nodes);
+}
+
+/// By the number of a node's children.
+class BvhBuild : public ::testing::TestWithParam<unsigned> {
+ protected:
+  static Bvh build(const TriangleMesh& mesh, unsigned threads = 0) {
+    Bvh bvh = build_bvh(mesh, {.threads = threads, .width = GetParam()});
+    EXPECT_EQ(bvh.width(), GetParam());
+    return bvh;
+  }
+};
+
+std::span<const std::byte> node_bytes(const Bvh& bvh) {
+  return std::visit([](const auto& nodes) { return std::as_bytes(std::span(nodes)); }, bvh.nodes);
+}
+
+TEST_P(BvhBuild, HoldsEveryTriangleOnceInsideItsBoxes) {
   for (const unsigned count : {1u, 2u, 8u, 9u, 100u, 5000u, 40000u}) {
     const TriangleMesh mesh = random_mesh(count, 0.1f, count);
-    expect_valid(mesh, build_bvh(mesh), count);
+    expect_valid(mesh, build(mesh), count);
   }
 }
 
-TEST(BvhBuild, IsTheSameOnAnyNumberOfThreads) {
+TEST_P(BvhBuild, IsTheSameOnAnyNumberOfThreads) {
   // Many enough that several threads share the splitting of the largest nodes.
   const TriangleMesh mesh = random_mesh(400000, 0.02f, 5);
-  const Bvh one = build_bvh(mesh, {.threads = 1});
+  const Bvh one = build(mesh, 1);
   for (const unsigned threads : {2u, 3u, 8u}) {
-    const Bvh many = build_bvh(mesh, {.threads = threads});
-    ASSERT_EQ(one.nodes.size(), many.nodes.size());
+    const Bvh many = build(mesh, threads);
     ASSERT_EQ(one.leaves.size(), many.leaves.size());
-    EXPECT_EQ(std::memcmp(one.nodes.data(), many.nodes.data(), one.nodes.size() * sizeof(BvhNode)), 0);
+    EXPECT_TRUE(std::ranges::equal(node_bytes(one), node_bytes(many)));
     EXPECT_EQ(std::memcmp(one.leaves.data(), many.leaves.data(), one.leaves.size() * sizeof(TriangleLeaf)),
               0);
   }
 }
 
-// A node is seven cache lines and a leaf four; the kernels fetch them by lines.
-TEST(BvhBuild, BeginsAtCacheLines) {
+// A node is seven cache lines, or four, and a leaf four; the kernels fetch them by lines.
+TEST_P(BvhBuild, BeginsAtCacheLines) {
   for (const unsigned count : {0u, 1u, 100u, 40000u}) {
-    const Bvh bvh = build_bvh(random_mesh(count, 0.1f, 7));
-    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(bvh.nodes.data()) % 64, 0u);
+    const Bvh bvh = build(random_mesh(count, 0.1f, 7));
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(node_bytes(bvh).data()) % 64, 0u);
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(bvh.leaves.data()) % 64, 0u);
   }
 }
 
-TEST(BvhBuild, HoldsManyTrianglesInOnePlace) {
+TEST_P(BvhBuild, HoldsManyTrianglesInOnePlace) {
   TriangleMesh mesh = random_mesh(1, 1, 6);
   mesh.triangles.resize(5000, mesh.triangles[0]);
-  expect_valid(mesh, build_bvh(mesh), 5000);
+  expect_valid(mesh, build(mesh), 5000);
 }
 
-TEST(BvhBuild, StaysWithinItsDepthForGeometricallyShrinkingTriangles) {
+TEST_P(BvhBuild, StaysWithinItsDepthForGeometricallyShrinkingTriangles) {
   // A series of ever smaller triangles: the heuristic peels the large ones off one by one.
   TriangleMesh mesh;
   for (int i = 0; i < 2000; ++i) {
@@ -150,31 +173,35 @@ TEST(BvhBuild, StaysWithinItsDepthForGeometricallyShrinkingTriangles) {
     mesh.positions.insert(mesh.positions.end(), {vec3(x, 0, 0), vec3(x, s, 0), vec3(x, 0, s)});
     mesh.triangles.push_back({n, n + 1, n + 2});
   }
-  expect_valid(mesh, build_bvh(mesh), 2000);
+  expect_valid(mesh, build(mesh), 2000);
 }
 
-TEST(BvhBuild, LeavesOutWhatCannotBeHit) {
+TEST_P(BvhBuild, LeavesOutWhatCannotBeHit) {
   TriangleMesh mesh = random_mesh(20, 0.1f, 7);
   mesh.positions[mesh.triangles[3][1]].y = std::nanf("");
   mesh.positions[mesh.triangles[4][0]].x = std::numeric_limits<float>::infinity();
   mesh.triangles[5][1] = mesh.triangles[5][0];
-  expect_valid(mesh, build_bvh(mesh), 17);
+  expect_valid(mesh, build(mesh), 17);
 }
 
-TEST(BvhBuild, OfNothingIsARootWithoutChildren) {
-  const Bvh bvh = build_bvh(TriangleMesh());
-  ASSERT_EQ(bvh.nodes.size(), 1u);
+TEST_P(BvhBuild, OfNothingIsARootWithoutChildren) {
+  const Bvh bvh = build(TriangleMesh());
   EXPECT_FALSE(bvh.leaves.empty());
-  EXPECT_EQ(BVH_CHILDREN(&bvh.nodes[0]), 0u);
+  std::visit(
+      [](const auto& nodes) {
+        ASSERT_EQ(nodes.size(), 1u);
+        EXPECT_EQ(BVH_CHILDREN(&nodes[0]), 0u);
+      },
+      bvh.nodes);
 }
 
-TEST(BvhBuild, RefusesMoreThanANodeCanPointTo) {
+TEST(BvhSize, RefusesMoreThanANodeCanPointTo) {
   EXPECT_NO_THROW(check_bvh_size(BVH_FIRST(~0u), BVH_FIRST(~0u)));
   EXPECT_THROW(check_bvh_size(1, std::size_t(BVH_FIRST(~0u)) + 1), Error);
   EXPECT_THROW(check_bvh_size(std::size_t(BVH_FIRST(~0u)) + 1, 1), Error);
 }
 
-TEST(BvhBuild, NeedsAtMost80BytesATriangle) {
+TEST_P(BvhBuild, NeedsAtMost80BytesATriangle) {
   // A fine surface, as meshes are; a soup's long triangles need no more.
   TriangleMesh mesh;
   const std::uint32_t n = 300;
@@ -189,8 +216,10 @@ TEST(BvhBuild, NeedsAtMost80BytesATriangle) {
       mesh.triangles.push_back({a, b + 1, a + 1});
     }
   end_with_longest_edges(mesh);  // as a loader does
-  EXPECT_LE(double(build_bvh(mesh).bytes()) / double(mesh.triangles.size()), 80.0);
+  EXPECT_LE(double(build(mesh).bytes()) / double(mesh.triangles.size()), 80.0);
 }
+
+INSTANTIATE_TEST_SUITE_P(Widths, BvhBuild, ::testing::Values(16u, 8u), ::testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace nook

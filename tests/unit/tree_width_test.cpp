@@ -1,0 +1,29 @@
+// A node of the tree has as many children as the device's vectors have floats.
+#include <gtest/gtest.h>
+
+#include "render/path_tracer.hpp"
+
+namespace nook {
+namespace {
+
+unsigned width_of(cl_device_type type, unsigned native_float_width) {
+  DeviceInfo device;
+  device.type = type;
+  device.native_float_width = native_float_width;
+  return tree_width(device);
+}
+
+TEST(TreeWidth, FollowsTheVectorsOfAProcessor) {
+  EXPECT_EQ(width_of(CL_DEVICE_TYPE_CPU, 32), 16u);
+  EXPECT_EQ(width_of(CL_DEVICE_TYPE_CPU, 16), 16u);  // AVX-512
+  EXPECT_EQ(width_of(CL_DEVICE_TYPE_CPU, 8), 8u);    // AVX
+  EXPECT_EQ(width_of(CL_DEVICE_TYPE_CPU, 4), 8u);    // SSE, NEON
+  EXPECT_EQ(width_of(CL_DEVICE_TYPE_CPU, 1), 8u);
+}
+
+TEST(TreeWidth, IsThatOfSingleRaysElsewhere) {
+  for (const unsigned vectors : {1u, 4u, 16u}) EXPECT_EQ(width_of(CL_DEVICE_TYPE_GPU, vectors), 16u);
+}
+
+}  // namespace
+}  // namespace nook
