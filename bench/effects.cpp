@@ -101,7 +101,7 @@ class Run {
       : what_(what),
         mesh_(load_scene_mesh(scene, attributes_of(scene, what), scene.instancing)),
         plan_(make_plan(scene, mesh_)),
-        bvh_(build_bvh(mesh_, {.width = tree_width(device.info())})),
+        bvh_(build_bvh(mesh_, {.width = tree_width(device.info(), plan_)})),
         tracer_(device, plan_, mesh_, bvh_),
         pixels_(pixels_in_order(plan_.window, plan_.width)) {
     if (what == Case::What::texture) texels_ = texture_points(mesh_, 128);

@@ -61,8 +61,8 @@ void run(const Settings& s) {
   const BenchScene scene = bench_scene(s.scene);
   const EmbreeScene fast(scene.mesh, false, s.threads), robust(scene.mesh, true, s.threads);
   const Device device(select_device(s.device));
-  const Bvh bvh =
-      build_bvh(scene.mesh, {.threads = s.threads, .width = s.width ? s.width : tree_width(device.info())});
+  const Bvh bvh = build_bvh(
+      scene.mesh, {.threads = s.threads, .width = s.width ? s.width : tree_width(device.info(), {})});
   std::printf("%s: %zu triangles; %u children a node, %.1f B and %.2f SAH, %.1f triangles a leaf\n",
               s.scene.c_str(), scene.mesh.triangles.size(), bvh.width(),
               double(bvh.bytes()) / double(scene.mesh.triangles.size()), bvh.statistics.sah_cost,

@@ -226,7 +226,7 @@ void run_options(const Settings& s) {
   TriangleMesh smooth = bench.mesh;
   add_normals(smooth);
   const Device device(select_device(""));
-  const unsigned width = tree_width(device.info());
+  const unsigned width = tree_width(device.info(), {});
   const Bvh bvh = build_bvh(bench.mesh, {.threads = s.threads, .width = width}),
             other = build_bvh(bench.mesh, {.threads = s.threads, .width = width == 16 ? 8u : 16u});
   Scene scene;

@@ -13,7 +13,7 @@ TracedAo::TracedAo(const Scene& scene, const TriangleMesh& mesh, float radius)
     : scene_(scene),
       mesh_(mesh),
       device_(select_device("")),
-      bvh_(build_bvh(mesh, {.width = tree_width(device_.info())})) {
+      bvh_(build_bvh(mesh, {.width = tree_width(device_.info(), {})})) {
   scene_.effects = {Effect{}};
   scene_.effects[0].max_distance = {DistanceLimit::Kind::value, radius};
   scene_.spp = 1;

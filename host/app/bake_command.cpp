@@ -104,7 +104,8 @@ int bake(const BakeOptions& options) {
                               effect.effect.view_space ? "space = \"view\"" : "side = \"viewer\""));
   const TexturePoints texels = to_texture ? points_of_texture(options.texture, scene, mesh) : TexturePoints{};
   const Device device = options.device.open();
-  const Bvh bvh = build_bvh(mesh, {.threads = options.device.threads, .width = tree_width(device.info())});
+  const Bvh bvh =
+      build_bvh(mesh, {.threads = options.device.threads, .width = tree_width(device.info(), plan)});
   PathTracer tracer(device, plan, mesh, bvh);
   catch_interrupts();
   if (to_texture)

@@ -23,7 +23,7 @@ int print_devices() {
         "{:.1f} GiB a buffer), {} children a node of the tree\n",
         d.platform_index, d.device_index, type_name(d), d.name, d.platform_name, d.driver, d.compute_units,
         d.native_float_width, double(d.memory) / (1u << 30), double(d.max_allocation) / (1u << 30),
-        tree_width(d));
+        tree_width(d, {}));
   return 0;
 }
 

@@ -68,7 +68,8 @@ int probe(const ProbeOptions& options) {
       options.points == "-" ? read_points(std::cin, "standard input", needs_view, mesh.bounds)
                             : load_points(options.points, needs_view, mesh.bounds);
   const Device device = options.device.open();
-  const Bvh bvh = build_bvh(mesh, {.threads = options.device.threads, .width = tree_width(device.info())});
+  const Bvh bvh =
+      build_bvh(mesh, {.threads = options.device.threads, .width = tree_width(device.info(), plan)});
   PathTracer tracer(device, plan, mesh, bvh);
   const Film film = tracer.estimate_points(points, 0, options.samples);
   fmt::print("value,standard_error,samples\n");

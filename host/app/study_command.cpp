@@ -168,7 +168,8 @@ int study(const StudyOptions& options) {
 
   const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene, false));
   const Device device = options.device.open();
-  const Bvh bvh = build_bvh(mesh, {.threads = options.device.threads, .width = tree_width(device.info())});
+  const Bvh bvh = build_bvh(
+      mesh, {.threads = options.device.threads, .width = tree_width(device.info(), make_plan(scene, mesh))});
   catch_interrupts();
 
   // As many pixels as the budget can afford; the size of an earlier study in the folder, so that it can go

@@ -9,9 +9,9 @@
 
 namespace nook {
 
-/// A node of the binary tree that the wide tree is collapsed from. A subtree over n pairs of triangles occupies 2n-1
-/// places of the node array from its root on: left child next, right child 2 * (left child's count) places
-/// on. So the place of a node depends on its pairs alone, not on which thread got there first.
+/// A node of the binary tree that the wide tree is collapsed from. A subtree over n pairs of triangles
+/// occupies 2n-1 places of the node array from its root on: left child next, right child 2 * (left child's
+/// count) places on. So the place of a node depends on its pairs alone, not on which thread got there first.
 struct BinaryNode {
   vec3 lo, hi;          ///< the box
   std::uint32_t first;  ///< of BinaryTree::pairs
@@ -43,7 +43,8 @@ enum class SplitRule {
   median         ///< object median along the longest axis: a balanced tree, whatever the mesh
 };
 
-/// Splits down to single pairs (pair_triangles()). The result does not depend on the pool's number of threads.
+/// Splits down to single pairs (pair_triangles()). The result does not depend on the pool's number of
+/// threads.
 BinaryTree build_binary_tree(const TriangleMesh& mesh, SplitRule rule, TaskPool& pool);
 
 }  // namespace nook

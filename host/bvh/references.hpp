@@ -19,8 +19,8 @@ struct Reference {
 
   Float4 low() const { return load4(lo); }  // the fourth lane is no number
   Float4 high() const { return load4(hi); }
-  /// Twice the box's centre: the half cancels wherever it is compared. Its fourth lane is 0, for arithmetic on an
-  /// index's bits, a denormal number, is slow.
+  /// Twice the box's centre: the half cancels wherever it is compared. Its fourth lane is 0, for arithmetic
+  /// on an index's bits, a denormal number, is slow.
   Float4 center() const { return Float4{lo[0], lo[1], lo[2], 0} + Float4{hi[0], hi[1], hi[2], 0}; }
 };
 

@@ -74,7 +74,8 @@ class Pairing {
   std::size_t hash(std::uint32_t triangle) const {
     const vec3 edge = corner(triangle, 0) + corner(triangle, 2) + vec3(0);  // 0 and -0 are one
     std::uint64_t bits = std::bit_cast<std::uint32_t>(edge.x);
-    for (const float axis : {edge.y, edge.z}) bits = (bits ^ bits >> 29) * 0x9e3779b97f4a7c15u + std::bit_cast<std::uint32_t>(axis);
+    for (const float axis : {edge.y, edge.z})
+      bits = (bits ^ bits >> 29) * 0x9e3779b97f4a7c15u + std::bit_cast<std::uint32_t>(axis);
     return std::size_t((bits ^ bits >> 29) * 0x9e3779b97f4a7c15u >> 32);
   }
 
@@ -98,7 +99,8 @@ std::vector<TrianglePair> pair_triangles(const TriangleMesh& mesh, TaskPool& poo
   const std::size_t count = mesh.triangles.size(), pieces = (count + piece - 1) / piece;
   // Neighbours are mostly near each other in a mesh: first within pieces, then what is left over from all.
   Pairing pairing(mesh);
-  pool.for_ranges(count, piece, [&](std::size_t begin, std::size_t end) { pairing.pair(pairing.hittable(begin, end)); });
+  pool.for_ranges(count, piece,
+                  [&](std::size_t begin, std::size_t end) { pairing.pair(pairing.hittable(begin, end)); });
   std::vector<std::uint32_t> left_over;
   for (std::size_t i = 0; i < count; ++i)
     if (pairing.partner(i) == unpaired) left_over.push_back(std::uint32_t(i));

@@ -47,8 +47,8 @@ double seconds_of(const ClEvent& kernel) {
 
 }  // namespace
 
-unsigned tree_width(const DeviceInfo& device) {
-  return device.is_cpu() && device.native_float_width < 16 ? 8 : 16;
+unsigned tree_width(const DeviceInfo& device, const Plan& plan) {
+  return device.is_cpu() && device.native_float_width < 16 && !plan.asks_reach() ? 8 : 16;
 }
 
 struct PathTracer::Slot {

@@ -128,6 +128,10 @@ bool Plan::only_self() const {
   return std::any_of(effects.begin(), effects.end(), [](const EffectPlan& e) { return e.effect.only_self; });
 }
 
+bool Plan::asks_reach() const {
+  return std::any_of(effects.begin(), effects.end(), [](const EffectPlan& e) { return e.reach; });
+}
+
 Camera resolve_camera(const Scene& scene, const Bounds3& bounds) {
   return scene.automatic_camera ? framing_camera(scene, bounds) : scene.camera;
 }

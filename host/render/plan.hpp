@@ -70,6 +70,8 @@ struct Plan {
   bool needs_opencl() const { return surface || !effects.empty(); }
   /// Some effect's surfaces are occluded by their own groups alone.
   bool only_self() const;
+  /// Some effect's points are asked what is in reach.
+  bool asks_reach() const;
 
   /// What a pixel's samples are counted in: camera rays or, with one camera ray a pixel, directions.
   std::uint32_t samples_per_pixel() const { return replicate_directions ? directions : spp; }

@@ -34,10 +34,11 @@ std::vector<SurfacePoint> sampled_points(const Case& scene, std::uint32_t pixel,
   const auto by_number = [&](const std::string& file) {
     const std::string source = kernel_source(file);
     if (file != "primary.cl") return source;
-    return mutate(mutate(source, "sample[k] = task.first_sample + (begin + k) % p.samples;", "sample[k] = task.point;"),
-                  "camera_directions(&camera, pixel, sample, count, &p,",
-                  "EstimatorParams all = p;\n    all.total_samples = " + std::to_string(spp) +
-                      "u;\n    camera_directions(&camera, pixel, sample, count, &all,");
+    return mutate(
+        mutate(source, "sample[k] = task.first_sample + (begin + k) % p.samples;", "sample[k] = task.point;"),
+        "camera_directions(&camera, pixel, sample, count, &p,",
+        "EstimatorParams all = p;\n    all.total_samples = " + std::to_string(spp) +
+            "u;\n    camera_directions(&camera, pixel, sample, count, &all,");
   };
   return scene.tracer(Traversal::stream, by_number).surface_points(std::vector<std::uint32_t>(spp, pixel));
 }

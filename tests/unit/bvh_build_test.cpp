@@ -44,7 +44,8 @@ struct Visit {
         continue;
       }
       ASSERT_FALSE(ended && lane < BVH_LEAF_PAIRS) << "a gap before lane " << lane;
-      ASSERT_NE(leaf.triangle[lane % BVH_LEAF_PAIRS], BVH_EMPTY) << "a second without a first in lane " << lane;
+      ASSERT_NE(leaf.triangle[lane % BVH_LEAF_PAIRS], BVH_EMPTY)
+          << "a second without a first in lane " << lane;
       ++seen.at(leaf.triangle[lane]);
       for (int vertex = 0; vertex < 3; ++vertex)
         for (int axis = 0; axis < 3; ++axis) {

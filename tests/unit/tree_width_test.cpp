@@ -6,11 +6,11 @@
 namespace nook {
 namespace {
 
-unsigned width_of(cl_device_type type, unsigned native_float_width) {
+unsigned width_of(cl_device_type type, unsigned native_float_width, const Plan& plan = {}) {
   DeviceInfo device;
   device.type = type;
   device.native_float_width = native_float_width;
-  return tree_width(device);
+  return tree_width(device, plan);
 }
 
 TEST(TreeWidth, FollowsTheVectorsOfAProcessor) {
@@ -23,6 +23,15 @@ TEST(TreeWidth, FollowsTheVectorsOfAProcessor) {
 
 TEST(TreeWidth, IsThatOfSingleRaysElsewhere) {
   for (const unsigned vectors : {1u, 4u, 16u}) EXPECT_EQ(width_of(CL_DEVICE_TYPE_GPU, vectors), 16u);
+}
+
+// Else the two trees would stop a pixel at different counts.
+TEST(TreeWidth, IsTheSameForAllWhereAPlanAsksWhatIsInReach) {
+  Plan plan;
+  plan.effects.resize(2);
+  EXPECT_EQ(width_of(CL_DEVICE_TYPE_CPU, 8, plan), 8u);
+  plan.effects[1].reach = true;
+  EXPECT_EQ(width_of(CL_DEVICE_TYPE_CPU, 8, plan), 16u);
 }
 
 }  // namespace

@@ -36,8 +36,8 @@ std::vector<TrianglePair> pairs_of(const TriangleMesh& mesh, unsigned threads = 
 }
 
 std::size_t full(const std::vector<TrianglePair>& pairs) {
-  return std::size_t(std::count_if(pairs.begin(), pairs.end(),
-                                   [](const TrianglePair& p) { return p.second != BVH_EMPTY; }));
+  return std::size_t(
+      std::count_if(pairs.begin(), pairs.end(), [](const TrianglePair& p) { return p.second != BVH_EMPTY; }));
 }
 
 void expect_each_once(const TriangleMesh& mesh, const std::vector<TrianglePair>& pairs) {
