@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t piece = 1 << 15;  // triangles a task
 constexpr std::uint32_t unpaired = BVH_EMPTY;
+constexpr std::size_t most_steps = 32;  // through the table: where thousands meet at one edge, most stay single
 
 bool finite(const vec3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
@@ -36,11 +37,13 @@ class Pairing {
   void pair(std::span<const std::uint32_t> triangles) {
     const std::size_t size = std::bit_ceil(2 * triangles.size() + 1);
     std::vector<std::uint32_t> table(size, unpaired);  // triangles by their last edges, open addressing
-    for (const std::uint32_t i : triangles)
-      for (std::size_t place = hash(i) & (size - 1);; place = (place + 1) & (size - 1)) {
-        const std::uint32_t other = table[place];
+    for (const std::uint32_t i : triangles) {
+      const std::size_t first = hash(i);
+      for (std::size_t step = 0; step < most_steps; ++step) {
+        std::uint32_t& place = table[(first + step) & (size - 1)];
+        const std::uint32_t other = place;
         if (other == unpaired) {
-          table[place] = i;
+          place = i;
           break;
         }
         if (partner_[other] != unpaired || !fit(i, other)) continue;
@@ -48,6 +51,7 @@ class Pairing {
         partner_[other] = i;
         break;
       }
+    }
   }
 
   std::uint32_t partner(std::size_t triangle) const { return partner_[triangle]; }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -100,6 +101,21 @@ TEST(TrianglePairs, HaveTwoTrianglesWhateverMeetsAtAnEdge) {
   const std::vector<TrianglePair> pairs = pairs_of(mesh);
   EXPECT_EQ(full(pairs), 2u);
   expect_each_once(mesh, pairs);
+}
+
+// A fan of sheets about one edge: looking through all of them for each would take minutes.
+TEST(TrianglePairs, AreGivenUpWhereThousandsMeetAtAnEdge) {
+  TriangleMesh mesh;
+  mesh.positions = {{0, 0, 0}, {0, 0, 9}};
+  const std::uint32_t sheets = 400000;
+  for (std::uint32_t i = 0; i < sheets; ++i) {
+    const float angle = 6.2831853f * float(i) / float(sheets);
+    mesh.positions.emplace_back(std::cos(angle), std::sin(angle), 4.0f);
+    mesh.triangles.push_back({0, i + 2, 1});
+  }
+  const auto start = std::chrono::steady_clock::now();
+  expect_each_once(mesh, pairs_of(mesh));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
 }
 
 // Folded until the box of both is larger than their two boxes: apart they are cheaper.
