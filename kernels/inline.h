@@ -1,4 +1,5 @@
-// For the parts of hot loops: PoCL inlines small functions alone, and a loop that calls one stays scalar.
+// For the parts of hot loops: PoCL inlines small functions alone, and a loop that calls one stays scalar. A struct is given back through a
+// pointer, for oclgrind does not know what Clang makes of one that such a function returns.
 #ifndef NOOK_INLINE_H
 #define NOOK_INLINE_H
 

@@ -135,7 +135,7 @@ float moved_on(float x, float offset) {
 // the intersection may be off for this triangle: sheared coordinates are products of its extent, and where the point is exactly
 // in its plane (a floor at height 0) their roundings alone would decide on which side it lies.
 // geometric_normal: unit; side: >= 0 for the side it points to, < 0 for the other.
-INLINE Vector offset_origin(Vector p0, Vector p1, Vector p2, float u, float v, Vector geometric_normal, float side) {
+INLINE void offset_origin(Vector p0, Vector p1, Vector p2, float u, float v, Vector geometric_normal, float side, Vector* origin) {
   const float w = 1.0f - u - v;
   const Vector a = {w * p0.x, w * p0.y, w * p0.z}, b = {u * p1.x, u * p1.y, u * p1.z}, c = {v * p2.x, v * p2.y, v * p2.z};
   const Vector point = {a.x + b.x + c.x, a.y + b.y + c.y, a.z + b.z + c.z};
@@ -146,9 +146,9 @@ INLINE Vector offset_origin(Vector p0, Vector p1, Vector p2, float u, float v, V
   const float of_intersection = 9.536743e-7f * greater(greater(extent_about(p0.x, p1.x, p2.x, point.x), extent_about(p0.y, p1.y, p2.y, point.y)),
                                                        extent_about(p0.z, p1.z, p2.z, point.z));  // 16 e
   const float distance = side < 0.0f ? -(error + of_intersection) : error + of_intersection;
-  const Vector origin = {moved_on(point.x, distance * geometric_normal.x), moved_on(point.y, distance * geometric_normal.y),
-                         moved_on(point.z, distance * geometric_normal.z)};
-  return origin;
+  origin->x = moved_on(point.x, distance * geometric_normal.x);
+  origin->y = moved_on(point.y, distance * geometric_normal.y);
+  origin->z = moved_on(point.z, distance * geometric_normal.z);
 }
 
 #endif

@@ -11,10 +11,6 @@
 
 #if INSTANCES
 
-#if BVH_LEAF_WIDTH > BVH_WIDTH
-#error "a leaf of the tree over instances is opened as a node"
-#endif
-
 #define NO_INSTANCE 0xffffffffu  // an item of the tree over the instances
 
 float3 placed_point(__global const PlacedMesh* mesh, float3 p) {
@@ -55,12 +51,12 @@ INLINE void open_placed_node(OpenedNode* opened, __global const BvhNode* node, _
 INLINE void open_instances(OpenedNode* opened, __global const TriangleLeaf* leaf, __global const PlacedMesh* instances) {
   for (uint axis = 0; axis < 3; ++axis)
     for (uint lane = 0; lane < BVH_WIDTH; ++lane) {
-      const bool used = lane < BVH_LEAF_WIDTH && leaf->triangle[lane] != BVH_EMPTY;
+      const bool used = lane < BVH_LEAF_PAIRS && leaf->triangle[lane] != BVH_EMPTY;
       opened->lo[axis][lane] = used ? leaf->p[axis][lane] : INFINITY;
       opened->hi[axis][lane] = used ? leaf->p[axis][BVH_LEAF_WIDTH + lane] : -INFINITY;
     }
   for (uint lane = 0; lane < BVH_WIDTH; ++lane) {
-    const bool used = lane < BVH_LEAF_WIDTH && leaf->triangle[lane] != BVH_EMPTY;
+    const bool used = lane < BVH_LEAF_PAIRS && leaf->triangle[lane] != BVH_EMPTY;
     opened->instance[lane] = used ? leaf->triangle[lane] : NO_INSTANCE;
     opened->child[lane] = used ? instances[leaf->triangle[lane]].root : BVH_EMPTY;
   }

@@ -44,19 +44,18 @@ typedef struct {
 } Reach;
 
 // The reach of `rays` (at least one). normal: unit; n . d >= 0 but for rounding, at the point it belongs to.
-INLINE Reach reach_of(const RayDirections* origins, const RayDirections* d, uint rays, bool one_origin, float3 normal,
-                      float min_distance, float max_distance) {
-  Reach r;
-  r.origin = ray_direction(origins, LOWEST_BIT(rays));
-  r.normal = normal;
+INLINE void reach_of(const RayDirections* origins, const RayDirections* d, uint rays, bool one_origin, float3 normal, float min_distance,
+                     float max_distance, Reach* r) {
+  r->origin = ray_direction(origins, LOWEST_BIT(rays));
+  r->normal = normal;
   float16 rise = REACH_HORIZON, lowest = 0.0f, spread = 0.0f;
   for (uint first = 0; first < 32u && rays >> first; first += 16u) {
     const int16 lanes = lanes_of(rays >> first);
     const float16 v = normal.x * vload16(0, d->x + first) + normal.y * vload16(0, d->y + first) + normal.z * vload16(0, d->z + first);
     rise = (lanes & (v < rise)) ? v : rise;
     if (one_origin) continue;
-    const float16 x = vload16(0, origins->x + first) - r.origin.x, y = vload16(0, origins->y + first) - r.origin.y,
-                  z = vload16(0, origins->z + first) - r.origin.z;
+    const float16 x = vload16(0, origins->x + first) - r->origin.x, y = vload16(0, origins->y + first) - r->origin.y,
+                  z = vload16(0, origins->z + first) - r->origin.z;
     const float16 height = normal.x * x + normal.y * y + normal.z * z;
     const float16 terms = fabs(normal.x * x) + fabs(normal.y * y) + fabs(normal.z * z);
     const float16 low = height - 4.768372e-7f * terms;
@@ -64,17 +63,16 @@ INLINE Reach reach_of(const RayDirections* origins, const RayDirections* d, uint
     const float16 ax = fabs(x), ay = fabs(y), az = fabs(z), axy = ax > ay ? ax : ay, most = axy > az ? axy : az;
     spread = (lanes & (most > spread)) ? most : spread;
   }
-  r.rise = least_lane(rise) - 3e-6f;
-  r.lowest = one_origin ? 0.0f : least_lane(lowest);
-  r.spread = one_origin ? 0.0f : most_lane(spread);
-  r.nearest = min_distance;
-  r.farthest = max_distance;
-  const float3 n = fabs(normal), o = fabs(r.origin);
+  r->rise = least_lane(rise) - 3e-6f;
+  r->lowest = one_origin ? 0.0f : least_lane(lowest);
+  r->spread = one_origin ? 0.0f : most_lane(spread);
+  r->nearest = min_distance;
+  r->farthest = max_distance;
+  const float3 n = fabs(normal), o = fabs(r->origin);
   const float sum = n.x + n.y + n.z;
-  r.of_vertices = 2.384186e-7f * (sum - fmin(n.x, fmin(n.y, n.z)));
-  r.of_place = 4.768372e-7f * sum;
-  if (min_distance > 0.0f) r.lowest -= r.of_place * (fmax(o.x, fmax(o.y, o.z)) + max_distance);
-  return r;
+  r->of_vertices = 2.384186e-7f * (sum - fmin(n.x, fmin(n.y, n.z)));
+  r->of_place = 4.768372e-7f * sum;
+  if (min_distance > 0.0f) r->lowest -= r->of_place * (fmax(o.x, fmax(o.y, o.z)) + max_distance);
 }
 
 // Of boxes [lo, hi] relative to the origin, an axis at a time: `size` the largest coordinate, `extent` of the boxes themselves, `apart`
@@ -226,8 +224,9 @@ INLINE uint unreached_rays(__global const BvhNode* nodes, __global const Triangl
   const uint end = (last + 1u) * count;
   const uint rays = active & (end == 32u ? 0xffffffffu : (1u << end) - 1u) & 0xffffffffu << j * count;
   if (!rays) return 0;
-  const Reach reach = reach_of(origins, d, rays, j == last, (float3)(points->nx[j], points->ny[j], points->nz[j]),
-                               MIN_DISTANCE ? p->min_distance : 0.0f, p->max_distance);
+  Reach reach;
+  reach_of(origins, d, rays, j == last, (float3)(points->nx[j], points->ny[j], points->nz[j]), MIN_DISTANCE ? p->min_distance : 0.0f,
+           p->max_distance, &reach);
   if (!ONLY_SELF) return in_reach(nodes, leaves AND_INSTANCE_ARGS, &reach) ? 0u : rays;
   const uint set = points->set[j];
   for (uint rest = asked; rest; rest &= rest - 1)

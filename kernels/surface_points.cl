@@ -47,30 +47,31 @@ INLINE void gather_hit(SurfaceHits* hits, uint k, TRIANGLE_PARAMS, __global cons
     set_ray(&hits->normal[corner], k, NORMAL_OF(triangle, load3(normals, index[corner])));
 }
 
-// The unit normal of triangle (a, b, c). The edges are scaled first: a triangle of size 1e-15 would underflow.
-INLINE Vector triangle_normal(Vector a, Vector b, Vector c) {
-  const Vector s = {b.x - a.x, b.y - a.y, b.z - a.z}, t = {c.x - a.x, c.y - a.y, c.z - a.z};
-  const float scale = 1.0f / greater(greater(greater(fabs(s.x), fabs(t.x)), greater(fabs(s.y), fabs(t.y))),
-                                     greater(fabs(s.z), fabs(t.z)));
-  const Vector e = {s.x * scale, s.y * scale, s.z * scale}, f = {t.x * scale, t.y * scale, t.z * scale};
+// The unit normal of triangle (a, b, c), from the edges at b: a loader leaves the longest one opposite. They are scaled first: those of a
+// triangle of size 1e-15 would underflow.
+INLINE void triangle_normal(Vector a, Vector b, Vector c, Vector* normal) {
+  const Vector s = {c.x - b.x, c.y - b.y, c.z - b.z}, t = {a.x - b.x, a.y - b.y, a.z - b.z};
+  const float scale = greater(greater(greater(fabs(s.x), fabs(t.x)), greater(fabs(s.y), fabs(t.y))),
+                              greater(fabs(s.z), fabs(t.z)));
+  const Vector e = {s.x / scale, s.y / scale, s.z / scale}, f = {t.x / scale, t.y / scale, t.z / scale};
   const Vector n = {e.y * f.z - e.z * f.y, e.z * f.x - e.x * f.z, e.x * f.y - e.y * f.x};
   const float inverse = 1.0f / sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
-  const Vector unit = {n.x * inverse, n.y * inverse, n.z * inverse};
-  return unit;
+  normal->x = n.x * inverse, normal->y = n.y * inverse, normal->z = n.z * inverse;
 }
 
 // Shading normal: the vertex normals interpolated, or the geometric normal where a corner has none or they cancel.
 // Never flipped towards the viewer (TinyRender).
-INLINE Vector shading_normal(const SurfaceHits* hits, uint k, Vector geometric) {
-  if (!VERTEX_NORMALS) return geometric;
+INLINE void shading_normal(const SurfaceHits* hits, uint k, Vector geometric, Vector* normal) {
+  *normal = geometric;
+  if (!VERTEX_NORMALS) return;
   const Vector a = ray_vector(&hits->normal[0], k), b = ray_vector(&hits->normal[1], k), c = ray_vector(&hits->normal[2], k);
   const float u = hits->u[k], v = hits->v[k], w = 1.0f - u - v;
   const Vector n = {w * a.x + u * b.x + v * c.x, w * a.y + u * b.y + v * c.y, w * a.z + u * b.z + v * c.z};
   const float length2 = n.x * n.x + n.y * n.y + n.z * n.z, inverse = 1.0f / sqrt(length2);
   const bool smooth = hits->smooth[k] && length2 > 1e-12f;
-  const Vector chosen = {smooth ? n.x * inverse : geometric.x, smooth ? n.y * inverse : geometric.y,
-                         smooth ? n.z * inverse : geometric.z};
-  return chosen;
+  normal->x = smooth ? n.x * inverse : geometric.x;
+  normal->y = smooth ? n.y * inverse : geometric.y;
+  normal->z = smooth ? n.z * inverse : geometric.z;
 }
 
 // Of the first `count` hits; of those behind them, and of rays that met nothing, any values. clear_hits() before the first.
@@ -78,9 +79,10 @@ INLINE void make_surface_frames(const SurfaceHits* hits, uint count, SurfaceFram
   for (uint first = 0; first < count; first += RAYS_TOGETHER)
     for (uint k = first; k < first + RAYS_TOGETHER; ++k) {
       const Vector a = ray_vector(&hits->corner[0], k), b = ray_vector(&hits->corner[1], k), c = ray_vector(&hits->corner[2], k);
-      const Vector g = triangle_normal(a, b, c), n = shading_normal(hits, k, g);
-      const float side = g.x * n.x + g.y * n.y + g.z * n.z;
-      const Vector o = offset_origin(a, b, c, hits->u[k], hits->v[k], g, side);
+      Vector g, n, o;
+      triangle_normal(a, b, c, &g);
+      shading_normal(hits, k, g, &n);
+      offset_origin(a, b, c, hits->u[k], hits->v[k], g, g.x * n.x + g.y * n.y + g.z * n.z, &o);
       frames->geometric_normal.x[k] = g.x, frames->geometric_normal.y[k] = g.y, frames->geometric_normal.z[k] = g.z;
       frames->normal.x[k] = n.x, frames->normal.y[k] = n.y, frames->normal.z[k] = n.z;
       frames->origin.x[k] = o.x, frames->origin.y[k] = o.y, frames->origin.z[k] = o.z;

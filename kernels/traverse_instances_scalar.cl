@@ -24,7 +24,7 @@ bool open_child(__global const BvhNode* nodes, __global const TriangleLeaf* leav
   *child_instance = instance;
   if (instance == NO_INSTANCE && (item & BVH_LEAF)) {
     __global const TriangleLeaf* leaf = &leaves[item & ~BVH_LEAF];
-    if (lane >= BVH_LEAF_WIDTH || leaf->triangle[lane] == BVH_EMPTY) return false;
+    if (lane >= BVH_LEAF_PAIRS || leaf->triangle[lane] == BVH_EMPTY) return false;
     *lo = (float3)(leaf->p[0][lane], leaf->p[1][lane], leaf->p[2][lane]);
     const uint upper = BVH_LEAF_WIDTH + lane;
     *hi = (float3)(leaf->p[0][upper], leaf->p[1][upper], leaf->p[2][upper]);

@@ -119,7 +119,7 @@ int show_plan(const PlanOptions& options) {
   const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene), scene.instancing);
   const Plan plan = make_plan(scene, mesh);
   std::optional<Bvh> bvh;
-  if (plan.needs_opencl()) bvh = build_bvh(mesh);
+  if (plan.needs_opencl()) bvh = build_bvh(mesh);  // of 16 children a node: no device is asked
   const PlanReport report = report_plan(scene, plan, mesh, bvh ? &*bvh : nullptr);
   if (options.json)
     print_json(plan, mesh, report);

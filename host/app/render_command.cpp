@@ -252,7 +252,7 @@ int render(const Scene& scene, const RenderOptions& options, Loaded& loaded) {
   record.device = device.info();
   if (!options.quiet) announce(record, stop);
   watch.lap();
-  const unsigned width = tree_width(device.info(), record.plan);
+  const unsigned width = loaded.bvh ? loaded.bvh->width() : tree_width(device.info(), record.plan);
   std::future<PathTracer::Programs> programs =
       std::async(std::launch::async, [&] { return PathTracer::build_programs(device, record.plan, width); });
   if (!loaded.bvh) loaded.bvh = build_bvh(mesh, {.threads = options.device.threads, .width = width});

@@ -33,6 +33,7 @@ Bounds3 box_of(const PlacedMesh& place, const BvhNode<Width>& root) {
 }
 
 // The tree over boxes: each is a triangle between two of its corners and a third, which has the box's bounds.
+// No two are a pair: the lower corner of each would be as high as the upper corner of the other.
 Bvh tree_over(const std::vector<Bounds3>& boxes, const std::vector<nook_uint>& names,
               const BvhOptions& options) {
   TriangleMesh stand_ins;

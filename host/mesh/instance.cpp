@@ -189,7 +189,7 @@ void append_ground(TriangleMesh& mesh, float height, float reach) {
                       {center.x - reach, height, center.z + reach},
                       {center.x + reach, height, center.z + reach},
                       {center.x + reach, height, center.z - reach}};
-  ground.triangles = {{0, 1, 2}, {0, 2, 3}};
+  ground.triangles = {{0, 1, 2}, {2, 3, 0}};
   if (!mesh.triangle_group.empty()) {
     ground.groups = {"ground"};
     ground.triangle_group = {0, 0};

@@ -49,7 +49,7 @@ struct BvhNode {
                                      : BVH_LEAF | (BVH_FIRST((node)->leaves) + (lane) - BVH_COUNT((node)->nodes)))
 
 // Pairs of triangles that share the edge between their last corner and their first, (a, b, c) and (c, d, a): four points instead of six,
-// three cache lines of them. The triangles' numbers, which few rays ask for, are in a fourth. Read as:
+// three cache lines of them. The triangles' numbers, which streams of occlusion rays never read, are in a fourth. Read as:
 //   points i, i + 4, i + 8, i + 12 are a, c, b, d of pair i
 //   for lane: intersect the triangle of the points BVH_CORNER(0, 1 and 2, lane), which is mesh triangle[lane]
 // Lanes i and i + 4 are a pair's first and second triangle. One without a partner has d = c; a lane without a triangle has no area,

@@ -59,7 +59,8 @@ Vector load_vector(__global const float* p) {
 
 __kernel void probe_offset(BVH_PARAMS, __global const float* samples, float unused, __global float* origins) {
   __global const float* s = samples + 15 * get_global_id(0);
-  const Vector o = offset_origin(load_vector(s), load_vector(s + 3), load_vector(s + 6), s[12], s[13], load_vector(s + 9), s[14]);
+  Vector o;
+  offset_origin(load_vector(s), load_vector(s + 3), load_vector(s + 6), s[12], s[13], load_vector(s + 9), s[14], &o);
   __global float* out = origins + 3 * get_global_id(0);
   out[0] = o.x, out[1] = o.y, out[2] = o.z;
 }

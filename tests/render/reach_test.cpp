@@ -263,7 +263,7 @@ TEST(Reach, TooSmallAReachShows) {
         {"return OR_LEAF_LANES((out == 0) & filled) != 0;", "return false;"},
         {"return NONZERO_CHILDREN(out == 0) & filled;",
          "return NONZERO_CHILDREN(out == 0) & filled & 0xfff0u;"},
-        {"r.spread = one_origin ? 0.0f : most_lane(spread);", "r.spread = -0.1f;"}}) {
+        {"r->spread = one_origin ? 0.0f : most_lane(spread);", "r->spread = -0.1f;"}}) {
     SCOPED_TRACE(find);
     const auto mutant = [&](const std::string& file) {
       const std::string text = kernel_source(file);
