@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t piece = 1 << 15;  // triangles a task
 constexpr std::uint32_t unpaired = BVH_EMPTY;
-constexpr std::size_t most_steps = 32;  // through the table: where thousands meet at one edge, most stay single
+constexpr std::size_t most_steps =
+    32;  // through the table: where thousands meet at one edge, most stay single
 
 bool finite(const vec3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);

@@ -15,9 +15,9 @@ struct TrianglePair {
 };
 
 /// The triangles of the mesh that a ray can hit, each once: finite vertices, and no two of them the same.
-/// Pairs are, at most, those whose last edges are between the same two points, in opposite directions, and whose box is
-/// not larger than the two boxes; each comes in the order of its first triangle, the lower index. The same
-/// with any number of threads.
+/// Pairs are, at most, those whose last edges are between the same two points, in opposite directions, and
+/// whose box is not larger than the two boxes; each comes in the order of its first triangle, the lower
+/// index. The same with any number of threads.
 std::vector<TrianglePair> pair_triangles(const TriangleMesh& mesh, TaskPool& pool);
 
 }  // namespace nook

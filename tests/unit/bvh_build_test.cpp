@@ -238,7 +238,6 @@ TEST_P(BvhBuild, OfPairsIsTheSameOnAnyNumberOfThreads) {
   EXPECT_EQ(std::memcmp(one.leaves.data(), many.leaves.data(), one.leaves.size() * sizeof(TriangleLeaf)), 0);
 }
 
-// Without pairs a triangle needs 90.
 TEST_P(BvhBuild, NeedsAtMost70BytesATriangleOfAFineSurface) {
   const TriangleMesh mesh = surface(300);
   EXPECT_LE(double(build(mesh).bytes()) / double(mesh.triangles.size()), 70.0);
