@@ -2,7 +2,6 @@
 
 #include <bit>
 #include <cmath>
-#include <numeric>
 #include <span>
 
 #include "kernels/shared/bvh.h"
@@ -12,8 +11,8 @@ namespace {
 
 constexpr std::size_t piece = 1 << 15;  // triangles a task
 constexpr std::uint32_t unpaired = BVH_EMPTY;
-constexpr std::size_t most_steps =
-    32;  // through the table: where thousands meet at one edge, most stay single
+// Through the table: where thousands of triangles meet at one edge, most stay single.
+constexpr std::size_t most_steps = 32;
 
 bool finite(const vec3& p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
