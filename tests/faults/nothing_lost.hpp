@@ -59,15 +59,15 @@ class NothingLost : public testing::Test {
 
 // About a second of work on two cores.
 inline const std::string long_render =
-    "render scene.toml --no-png --size 128x96 --spp 256 --directions 8 --aov normal,variance";
+    "render scene.toml --no-png --size 128x96 --spp 1024 --directions 8 --aov normal,variance";
 
 // Renders to an error: counts, randomised sequences, and, with an RO layer, pilots; each about a second of
 // work. What a rule has decided must survive as well as the sums.
 inline const std::string two_layers =
     "[[effect]]\ntype = \"ao\"\nmax_distance = 1.0\n[[effect]]\nname = \"ro\"\ntype = \"ro\"\nexponent = 4\n";
 inline const std::string renders_to_an_error[] = {
-    "render scene.toml --sampler independent --error .008", "render scene.toml --error .0015",
-    "render layers.toml --sampler independent --error .02", "render layers.toml --error .004"};
+    "render scene.toml --sampler independent --error .005", "render scene.toml --error .0015",
+    "render layers.toml --sampler independent --error .012", "render layers.toml --error .0025"};
 inline const std::string with_aovs = " --no-png --size 128x96 --aov variance,samples,normal";
 
 class NothingLostToAnError : public NothingLost {
