@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "base/error.hpp"
+#include "base/threads.hpp"
 #include "embree_scene.hpp"
 #include "film/exr.hpp"
 #include "kernels/shared/task.h"
@@ -207,13 +208,14 @@ class Renderer {
 };
 
 void render(const std::string& scene_file, const std::string& output, unsigned threads, bool robust) {
+  limit_own_threads(threads);
+  threads = threads_to_use();
   const Scene scene = load_scene(scene_file);
   const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene));
   const Plan plan = make_plan(scene, mesh);
   if (plan.effects.size() != 1 || plan.effects[0].effect.kind != EffectKind::ao ||
       plan.effects[0].effect.sampling != Sampling::cosine || plan.sampler != Sampler::sobol)
     throw Error(ExitCode::usage, scene_file + ": AO by cosine-distributed Sobol samples alone is supported");
-  if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
   const EmbreeScene embree(mesh, robust, threads);
   std::vector<float> values = Renderer(plan, mesh, embree).run(threads);
   for (float& value : values) value /= float(plan.spp * plan.directions);

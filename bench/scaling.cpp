@@ -215,9 +215,9 @@ struct Candidate {
     std::vector<Film> films = tracer->make_films();
     const Stopwatch watch;
     tracer->accumulate(pixels, {0, plan.samples_per_pixel()}, films);
-    const double seconds = watch.seconds();
+    const double spent = watch.seconds();
     sum = std::accumulate(films[0].sum.begin(), films[0].sum.end(), 0.0);
-    return seconds;
+    return spent;
   }
 };
 

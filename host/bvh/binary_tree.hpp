@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "base/large_vector.hpp"
-#include "bvh/task_pool.hpp"
+#include "base/task_pool.hpp"
 #include "bvh/triangle_pairs.hpp"
 #include "mesh/triangle_mesh.hpp"
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 
 #include "base/large_vector.hpp"
+#include "base/task_pool.hpp"
 #include "bvh/box4.hpp"
-#include "bvh/task_pool.hpp"
 #include "bvh/triangle_pairs.hpp"
 #include "mesh/triangle_mesh.hpp"
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bvh/task_pool.hpp"
+#include "base/task_pool.hpp"
 #include "mesh/triangle_mesh.hpp"
 
 namespace nook {

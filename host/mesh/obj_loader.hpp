@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 
 #include "mesh/triangle_mesh.hpp"
@@ -14,9 +15,11 @@ struct MeshAttributes {
   bool groups = false;
 };
 
-/// Reads a Wavefront OBJ file (by tinyobjloader), triangulated.
+/// Reads a Wavefront OBJ file (by tinyobjloader), triangulated, in pieces of some `piece_bytes` that the
+/// process's threads (threads_to_use) read at the same time; their size changes nothing in the mesh.
 /// Throws Error(scene) with one line: missing file, not a regular file, no triangles, index out of range
 /// (with the face).
-TriangleMesh load_obj(const std::filesystem::path& path, const MeshAttributes& attributes = {});
+TriangleMesh load_obj(const std::filesystem::path& path, const MeshAttributes& attributes = {},
+                      std::size_t piece_bytes = std::size_t(1) << 21);
 
 }  // namespace nook

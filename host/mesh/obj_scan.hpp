@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -7,17 +8,27 @@
 
 namespace nook {
 
-/// What tinyobjloader does not tell of an OBJ text: it reads a number that it cannot parse as 0.
-struct ObjScan {
-  std::vector<std::uint32_t> non_finite_positions;  ///< 0-based `v` lines with "nan" or "inf" in them
-  std::vector<std::uint32_t> non_finite_normals;    ///< 0-based `vn` lines likewise
+/// How many lines of each kind.
+struct ObjCounts {
+  std::size_t positions = 0, uvs = 0, normals = 0, faces = 0;  ///< `v`, `vt`, `vn`, `f`
 };
 
-/// Throws Error(scene) "<name>:<line>: ..." at a `v` or `vn` line that holds something other than numbers.
-ObjScan scan_obj(std::string_view text, const std::string& name);
+/// What tinyobjloader does not tell of a piece of an OBJ text: it reads a number that it cannot parse as 0.
+struct ObjScan {
+  ObjCounts counts;
+  std::vector<std::uint32_t> non_finite_positions;  ///< 0-based `v` lines of the piece with "nan" or "inf"
+  std::vector<std::uint32_t> non_finite_normals;    ///< 0-based `vn` lines likewise
+  bool readable = true;  ///< false: a `v`, `vn` or `f` line holds something other than its numbers
+};
 
-/// "<name>:<line>: face index 9 is out of range (8 positions so far)" for the first face whose position, uv
-/// or normal index names nothing defined above it; "" if there is none.
-std::string find_bad_face(std::string_view text, const std::string& name);
+/// Lines end where tinyobjloader ends them: with "\n", "\r\n" or "\r".
+ObjScan scan_obj(std::string_view piece);
+
+/// The text in pieces of some `bytes` that end with a "\n" (or the text), in order.
+std::vector<std::string_view> obj_pieces(std::string_view text, std::size_t bytes);
+
+/// "<name>:<line>: face index 9 is out of range (8 positions)" for the first line of a whole text that holds
+/// something other than its numbers, or a face index that names nothing; "" if there is none.
+std::string first_obj_fault(std::string_view text, const std::string& name);
 
 }  // namespace nook

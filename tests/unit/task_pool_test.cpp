@@ -1,6 +1,6 @@
 // The tree builder's threads: every task runs once, those that tasks spawn too, and a failure reaches the
 // caller.
-#include "bvh/task_pool.hpp"
+#include "base/task_pool.hpp"
 
 #include <gtest/gtest.h>
 

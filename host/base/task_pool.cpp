@@ -1,4 +1,4 @@
-#include "bvh/task_pool.hpp"
+#include "base/task_pool.hpp"
 
 #include <system_error>
 #include <utility>
