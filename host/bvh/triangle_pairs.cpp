@@ -14,10 +14,6 @@ constexpr std::uint32_t unpaired = BVH_EMPTY;
 // Through the table: where thousands of triangles meet at one edge, most stay single.
 constexpr std::size_t most_steps = 32;
 
-bool finite(const vec3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
 // Anything else can never be hit.
 bool can_be_hit(const vec3& a, const vec3& b, const vec3& c) {
   return finite(a) && finite(b) && finite(c) && a != b && b != c && c != a;

@@ -16,9 +16,13 @@ int first_corner(const vec3& a, const vec3& b, const vec3& c) {
 }  // namespace
 
 void end_with_longest_edges(TriangleMesh& mesh) {
+  end_with_longest_edges(mesh, mesh.positions);
+}
+
+void end_with_longest_edges(TriangleMesh& mesh, const std::vector<vec3>& positions) {
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     const auto& t = mesh.triangles[i];
-    const int first = first_corner(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
+    const int first = first_corner(positions[t[0]], positions[t[1]], positions[t[2]]);
     if (first == 0) continue;
     for (auto* corners : {&mesh.triangles, &mesh.triangle_normals, &mesh.triangle_uvs})
       if (!corners->empty())

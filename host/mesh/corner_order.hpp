@@ -9,5 +9,7 @@ namespace nook {
 /// (bvh/triangle_pairs.hpp). What a triangle's arithmetic comes to depends on its first corner, so the order
 /// is the mesh's, not a tree's.
 void end_with_longest_edges(TriangleMesh& mesh);
+/// The same where the triangles' positions are another array.
+void end_with_longest_edges(TriangleMesh& triangles, const std::vector<vec3>& positions);
 
 }  // namespace nook

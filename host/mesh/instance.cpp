@@ -12,10 +12,6 @@ namespace {
 
 constexpr std::uint32_t none = 0xffffffffu;
 
-bool finite(const vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 void check_finite(const vec3& p) {
   if (!finite(p))
     throw Error(ExitCode::scene, "an instance's transform takes positions beyond the range of floats");

@@ -7,18 +7,10 @@
 
 namespace nook {
 
-/// What to keep of a mesh file; what no effect reads is not kept.
-struct MeshAttributes {
-  bool normals = true;
-  bool uvs = false;
-  bool materials = false;
-  bool groups = false;
-};
-
 /// Reads a Wavefront OBJ file (by tinyobjloader), triangulated, in pieces of some `piece_bytes` that the
 /// process's threads (threads_to_use) read at the same time; their size changes nothing in the mesh.
-/// Throws Error(scene) with one line: missing file, not a regular file, no triangles, index out of range
-/// (with the face).
+/// Throws Error(scene) with one line: missing file, not a regular file, no triangles; or, with its line, a
+/// number or face that cannot be read, an index that names nothing.
 TriangleMesh load_obj(const std::filesystem::path& path, const MeshAttributes& attributes = {},
                       std::size_t piece_bytes = std::size_t(1) << 21);
 

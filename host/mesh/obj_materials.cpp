@@ -12,20 +12,51 @@
 #include "mesh/mtl_scan.hpp"
 
 namespace nook {
+namespace {
+
+// Blanks in a name may be escaped.
+std::string unescaped(const std::string& name) {
+  std::string plain;
+  for (std::size_t i = 0; i < name.size(); ++i)
+    if (name[i] != '\\' || i + 1 == name.size() || name[i + 1] != ' ') plain += name[i];
+  return plain;
+}
+
+std::vector<std::filesystem::path> library_files(const std::filesystem::path& folder, std::string line) {
+  const std::size_t begin = line.find_first_not_of(" \t");
+  if (begin == std::string::npos) return {};
+  line = line.substr(begin, line.find_last_not_of(" \t") + 1 - begin);
+  std::vector<std::filesystem::path> files;
+  const auto add = [&](const std::string& name) {
+    std::error_code code;
+    if (std::filesystem::is_regular_file(folder / name, code)) files.push_back(folder / name);
+  };
+  add(line);
+  if (files.empty()) add(unescaped(line));
+  if (!files.empty()) return files;
+  std::istringstream words(line);
+  for (std::string word; words >> word;) add(word);
+  return files;
+}
+
+}  // namespace
 
 std::uint32_t ObjMaterials::find(const std::string& name) const {
   const auto found = index_of_name.find(name);
-  return found == index_of_name.end() ? 0xffffffffu : std::uint32_t(found->second);
+  return found == index_of_name.end() ? TriangleMesh::no_material : std::uint32_t(found->second);
 }
 
-ObjMaterials load_obj_materials(const std::filesystem::path& folder,
-                                const std::vector<std::string>& libraries) {
+ObjMaterials load_obj_materials(const std::filesystem::path& folder, const std::vector<std::string>& lines) {
   ObjMaterials result;
   std::vector<tinyobj::material_t> materials;
-  std::set<std::string> read;
-  for (const std::string& name : libraries) {
-    if (!read.insert(name).second) continue;
-    const std::filesystem::path path = folder / name;
+  std::vector<std::filesystem::path> files;
+  std::set<std::string> seen;
+  for (const std::string& line : lines) {
+    if (!seen.insert(line).second) continue;
+    for (const std::filesystem::path& file : library_files(folder, line))
+      if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+  }
+  for (const std::filesystem::path& path : files) {
     std::ifstream in(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(in), {}};
     const std::set<std::string> with_lobe = materials_with_lobe(text, path.string());
@@ -42,24 +73,6 @@ ObjMaterials load_obj_materials(const std::filesystem::path& folder,
     }
   }
   return result;
-}
-
-void escape_library_names(std::string& text, const std::filesystem::path& folder) {
-  const std::string_view key = "mtllib ";
-  for (std::size_t at = text.find(key); at != std::string::npos; at = text.find(key, at + 1)) {
-    if (at > 0 && text[at - 1] != '\n') continue;
-    const std::size_t first = text.find_first_not_of(" \t", at + key.size());
-    const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
-    if (first >= end) continue;
-    const std::size_t last = text.find_last_not_of(" \t", end - 1);
-    std::string name = text.substr(first, last + 1 - first);
-    std::error_code code;
-    if (name.find(' ') == std::string::npos || !std::filesystem::is_regular_file(folder / name, code))
-      continue;
-    for (std::size_t blank = name.find(' '); blank != std::string::npos; blank = name.find(' ', blank + 2))
-      name.insert(blank, 1, '\\');
-    text.replace(first, last + 1 - first, name);
-  }
 }
 
 }  // namespace nook

@@ -1,9 +1,10 @@
 #include "mesh/obj_piece.hpp"
 
+#include <tiny_obj_loader.h>
+
 #include <algorithm>
 #include <istream>
 #include <limits>
-#include <map>
 #include <streambuf>
 
 namespace nook {
@@ -15,24 +16,6 @@ struct MemoryBuffer : std::streambuf {
     char* begin = const_cast<char*>(text.data());
     setg(begin, begin, begin + text.size());
   }
-};
-
-// Notes the material libraries instead of reading them.
-class LibraryNames : public tinyobj::MaterialReader {
- public:
-  LibraryNames(const std::filesystem::path* folder, std::vector<std::string>& found)
-      : folder_(folder), found_(found) {}
-  bool operator()(const std::string& name, std::vector<tinyobj::material_t>*, std::map<std::string, int>*,
-                  std::string*, std::string*) override {
-    std::error_code code;
-    if (!std::filesystem::is_regular_file(*folder_ / name, code)) return false;
-    found_.push_back(name);
-    return true;
-  }
-
- private:
-  const std::filesystem::path* folder_;
-  std::vector<std::string>& found_;
 };
 
 struct Reader {
@@ -69,10 +52,9 @@ struct Reader {
     while (size < count && corners[size].vertex_index != 0) ++size;
     const bool kept = size >= 3;
     for (int k = 0; k < size; ++k) {
-      tinyobj::index_t corner;
-      corner.vertex_index = resolved(corners[k].vertex_index, &ObjCounts::positions);
-      corner.texcoord_index = resolved(corners[k].texcoord_index, &ObjCounts::uvs);
-      corner.normal_index = resolved(corners[k].normal_index, &ObjCounts::normals);
+      const ObjCorner corner = {resolved(corners[k].vertex_index, &ObjCounts::positions),
+                                resolved(corners[k].texcoord_index, &ObjCounts::uvs),
+                                resolved(corners[k].normal_index, &ObjCounts::normals)};
       if (kept) piece.corners.push_back(corner);
     }
     if (kept) piece.face_sizes.push_back(std::uint32_t(size));
@@ -116,6 +98,7 @@ tinyobj::callback_t callbacks() {
   call.index_cb = [](void* self, tinyobj::index_t* corners, int count) {
     Reader::of(self).face(corners, count);
   };
+  // A `usemtl` without a name, which tinyobjloader does not report, changes nothing.
   call.usemtl_cb = [](void* self, const char* name, int) { Reader::of(self).change(true, first_word(name)); };
   call.group_cb = [](void* self, const char** names, int count) {
     Reader::of(self).change(false, joined(names, count));
@@ -126,22 +109,18 @@ tinyobj::callback_t callbacks() {
 
 }  // namespace
 
-bool read_obj_piece(ObjPiece& piece, const ObjCounts& all, const std::filesystem::path* folder,
-                    TriangleMesh& mesh) {
+bool read_obj_piece(ObjPiece& piece, const ObjCounts& all, TriangleMesh& mesh) {
   piece.corners.reserve(3 * piece.scan.counts.faces);
   piece.face_sizes.reserve(piece.scan.counts.faces);
   Reader reader{piece, mesh, all, piece.before};
-  LibraryNames libraries(folder, piece.libraries);
   MemoryBuffer buffer(piece.text);
   std::istream in(&buffer);
   std::string warnings, errors;
-  const bool parsed = tinyobj::LoadObjWithCallback(in, callbacks(), &reader, folder ? &libraries : nullptr,
-                                                   &warnings, &errors);
+  const bool parsed = tinyobj::LoadObjWithCallback(in, callbacks(), &reader, nullptr, &warnings, &errors);
   const auto all_read = [&](std::size_t ObjCounts::*kind) {
     return reader.so_far.*kind == piece.before.*kind + piece.scan.counts.*kind;
   };
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  for (std::uint32_t i : piece.scan.non_finite_positions) mesh.positions[piece.before.positions + i].x = nan;
   if (!mesh.normals.empty())
     for (std::uint32_t i : piece.scan.non_finite_normals) mesh.normals[piece.before.normals + i].x = nan;
   return parsed && reader.good && all_read(&ObjCounts::positions) && all_read(&ObjCounts::uvs) &&

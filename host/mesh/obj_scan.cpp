@@ -13,22 +13,24 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t';
 }
 
-// Calls visit(line) for each line, leading blanks removed, until one is answered with false.
+// Calls visit(line) for each line, leading blanks removed, until one is answered with false. A line ends with
+// "\n", "\r\n" or "\r", as tinyobjloader has it.
 template <class Visit>
 void for_each_line(std::string_view text, Visit visit) {
-  while (!text.empty()) {
-    const void* newline = std::memchr(text.data(), '\n', text.size());
-    std::size_t end = newline ? std::size_t(static_cast<const char*>(newline) - text.data()) : text.size();
-    std::size_t next = std::min(end + 1, text.size());
-    if (const void* early = std::memchr(text.data(), '\r', end)) {
-      const std::size_t at = std::size_t(static_cast<const char*>(early) - text.data());
-      if (at + 1 != end) next = at + 1;
-      end = at;
-    }
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(next);
-    while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
-    if (!visit(line)) return;
+  const char *at = text.data(), *end = at + text.size(), *newline = at;
+  const auto find = [&](const char* from, const char* to, char c) {
+    const void* found = std::memchr(from, c, std::size_t(to - from));
+    return found ? static_cast<const char*>(found) : to;
+  };
+  if (at != end) newline = find(at, end, '\n');
+  while (at != end) {
+    if (newline < at) newline = find(at, end, '\n');
+    const char* stop = find(at, newline, '\r');
+    const char* next = stop == newline || stop + 1 == newline ? newline : stop;
+    const char* begin = at;
+    at = next == end ? end : next + 1;
+    while (begin != stop && is_blank(*begin)) ++begin;
+    if (!visit(std::string_view(begin, std::size_t(stop - begin)))) return;
   }
 }
 
@@ -41,10 +43,17 @@ std::string_view next_word(std::string_view& line) {
   return !word.empty() && word[0] == '#' ? std::string_view() : word;
 }
 
-enum class Kind { position, uv, normal, face, other };
+constexpr std::string_view library_keyword = "mtllib";
+
+enum class Kind { position, uv, normal, face, library, other };
 
 // What tinyobjloader takes the line for, and what follows its keyword.
 Kind kind_of(std::string_view line, std::string_view& rest) {
+  if (line.starts_with(library_keyword) && line.size() > library_keyword.size() &&
+      is_blank(line[library_keyword.size()])) {
+    rest = line.substr(library_keyword.size());
+    return Kind::library;
+  }
   if (line.size() < 2 || (line[0] != 'v' && line[0] != 'f')) return Kind::other;
   if (is_blank(line[1])) {
     rest = line.substr(1);
@@ -55,68 +64,102 @@ Kind kind_of(std::string_view line, std::string_view& rest) {
   return line[1] == 'n' ? Kind::normal : line[1] == 't' ? Kind::uv : Kind::other;
 }
 
-// The three numbers of a position or normal.
-struct Numbers {
+// The grammar of a number that tinyobjloader reads as it stands: [+-] (digits [. [digits]] | . digits)
+// [(e|E) [+-] digits]. `odd` is anything else: nan, inf, or no number.
+enum State : std::uint8_t { blank, sign, whole, first_dot, fraction, e, e_sign, exponent, odd };
+
+State after(State state, char c) {
+  if (c >= '0' && c <= '9') {
+    if (state <= whole) return whole;
+    if (state == first_dot || state == fraction) return fraction;
+    return state == odd ? odd : exponent;
+  }
+  if (c == '+' || c == '-') return state == blank ? sign : state == e ? e_sign : odd;
+  if (c == '.') return state == whole ? fraction : state <= sign ? first_dot : odd;
+  if (c == 'e' || c == 'E') return state == whole || state == fraction ? e : odd;
+  return odd;
+}
+
+bool is_number(State state) {
+  return state == whole || state == fraction || state == exponent;
+}
+
+// What a position's or normal's line holds.
+struct Verdict {
+  unsigned words = 0;
+  bool all_numbers = true;  // by the grammar above
   bool non_finite = false;
-  std::string fault;
+  std::string_view wrong;  // the first word that is no number, nan or inf
 };
 
-Numbers check_words(std::string_view values) {
-  Numbers numbers;
+Verdict judge_numbers(std::string_view values) {
+  Verdict verdict;
+  State state = blank;
+  for (const char c : values) {
+    if (is_blank(c)) {
+      verdict.all_numbers &= state == blank || is_number(state);
+      state = blank;
+    } else {
+      if (state == blank && c == '#') break;
+      verdict.words += state == blank;
+      state = after(state, c);
+    }
+  }
+  verdict.all_numbers &= state == blank || is_number(state);
+  if (verdict.all_numbers) return verdict;
   for (std::string_view word = next_word(values); !word.empty(); word = next_word(values)) {
     const std::string_view digits = word[0] == '+' ? word.substr(1) : word;
     double value = 0;
     const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (code == std::errc::invalid_argument || end != digits.data() + digits.size())
-      numbers.fault = fmt::format("'{}' is not a number", word.substr(0, 40));
-    numbers.non_finite |= !(value - value == 0) || code == std::errc::result_out_of_range;
+    if (code == std::errc::invalid_argument || end != digits.data() + digits.size()) {
+      verdict.wrong = word;
+      return verdict;
+    }
+    verdict.non_finite |= !(value - value == 0) || code == std::errc::result_out_of_range;
   }
-  return numbers;
+  return verdict;
 }
 
-Numbers check_numbers(std::string_view values) {
-  bool letters = false, in_word = false;
-  unsigned words = 0;
-  for (char c : values) {
-    if (c == '#') break;
-    letters |= (c >= 'A' && c != 'e' && c != 'E');
-    words += !in_word && !is_blank(c);
-    in_word = !is_blank(c);
-  }
-  if (words < 3) return {.fault = fmt::format("{} numbers, expected 3", words)};
-  return letters ? check_words(values) : Numbers{};
+bool readable(const Verdict& verdict) {
+  return verdict.words >= 3 && verdict.wrong.empty();
+}
+
+std::string fault_of(const Verdict& verdict) {
+  if (readable(verdict)) return "";
+  if (verdict.words < 3) return fmt::format("{} numbers, expected 3", verdict.words);
+  return fmt::format("'{}' is not a number", verdict.wrong.substr(0, 40));
 }
 
 // Whether a face's corners are up to three integers each, none of them 0 or beyond 32 bits, with slashes
 // between them, the second of three possibly left out. tinyobjloader takes what it cannot read for a 0, that
 // for an index left out, and behind a last slash the next corner's.
 bool corners_readable(std::string_view face) {
-  unsigned slashes = 0, digits = 0;
-  bool in_word = false, sign = false, zero = true;
-  const auto integer_ends = [&](bool may_be_none) {
-    const bool good = digits ? !zero && digits < 10 : may_be_none && !sign;
-    digits = 0, sign = false, zero = true;
+  unsigned slashes = 0, significant = 0;
+  bool in_word = false, sign = false, digits = false;
+  const auto index_ends = [&](bool may_be_none) {
+    const bool good = digits ? significant > 0 && significant < 10 : may_be_none && !sign;
+    significant = 0;
+    digits = sign = false;
     return good;
   };
-  for (char c : face) {
+  for (const char c : face) {
     if (c == '#' && !in_word) break;
     if (c >= '0' && c <= '9') {
-      ++digits;
-      zero = zero && c == '0';
-      in_word = true;
+      significant += c != '0' || significant > 0;
+      digits = in_word = true;
     } else if (is_blank(c)) {
-      if (in_word && !integer_ends(false)) return false;
+      if (in_word && !index_ends(false)) return false;
       in_word = false;
       slashes = 0;
     } else if (c == '/') {
-      if (!in_word || ++slashes > 2 || !integer_ends(slashes > 1)) return false;
-    } else if ((c == '-' || c == '+') && digits == 0 && !sign) {
+      if (!in_word || ++slashes > 2 || !index_ends(slashes > 1)) return false;
+    } else if ((c == '-' || c == '+') && !digits && !sign) {
       sign = in_word = true;
     } else {
       return false;
     }
   }
-  return !in_word || integer_ends(false);
+  return !in_word || index_ends(false);
 }
 
 // One "7/2/7" of a face; what is wrong with it, or "".
@@ -133,7 +176,7 @@ std::string corner_fault(std::string_view word, const ObjCounts& so_far, const O
     word = slash == std::string_view::npos ? std::string_view() : word.substr(slash + 1);
     if (digits.empty() && part > 0) continue;
     const std::string_view shown = digits.substr(0, 40);
-    if (digits.starts_with('+')) digits.remove_prefix(1);
+    if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
     std::int64_t index = 0;
     const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
     if (code == std::errc::invalid_argument || end != digits.data() + digits.size())
@@ -148,9 +191,10 @@ std::string corner_fault(std::string_view word, const ObjCounts& so_far, const O
 }
 
 std::string face_fault(std::string_view face, const ObjCounts& so_far, const ObjCounts& all) {
+  const std::string_view whole_face = face;
   for (std::string_view word = next_word(face); !word.empty(); word = next_word(face))
-    if (const std::string fault = corner_fault(word, so_far, all); !fault.empty()) return fault;
-  return "";
+    if (std::string fault = corner_fault(word, so_far, all); !fault.empty()) return fault;
+  return corners_readable(whole_face) ? "" : "a face cannot be read";
 }
 
 }  // namespace
@@ -166,11 +210,13 @@ ObjScan scan_obj(std::string_view piece) {
       scan.readable = scan.readable && corners_readable(rest);
     } else if (kind == Kind::uv) {
       ++counts.uvs;
+    } else if (kind == Kind::library) {
+      scan.libraries.emplace_back(rest);
     } else if (kind != Kind::other) {
-      const Numbers numbers = check_numbers(rest);
-      scan.readable = scan.readable && numbers.fault.empty();
+      const Verdict verdict = judge_numbers(rest);
+      scan.readable = scan.readable && readable(verdict);
       const bool normal = kind == Kind::normal;
-      if (numbers.non_finite)
+      if (verdict.non_finite)
         (normal ? scan.non_finite_normals : scan.non_finite_positions)
             .push_back(std::uint32_t(normal ? counts.normals : counts.positions));
       ++(normal ? counts.normals : counts.positions);
@@ -200,7 +246,7 @@ std::string first_obj_fault(std::string_view text, const std::string& name) {
     std::string_view rest;
     const Kind kind = kind_of(line, rest);
     if (kind == Kind::face) fault = face_fault(rest, so_far, all);
-    if (kind == Kind::position || kind == Kind::normal) fault = check_numbers(rest).fault;
+    if (kind == Kind::position || kind == Kind::normal) fault = fault_of(judge_numbers(rest));
     so_far.positions += kind == Kind::position;
     so_far.normals += kind == Kind::normal;
     so_far.uvs += kind == Kind::uv;

@@ -13,11 +13,13 @@ struct ObjCounts {
   std::size_t positions = 0, uvs = 0, normals = 0, faces = 0;  ///< `v`, `vt`, `vn`, `f`
 };
 
-/// What tinyobjloader does not tell of a piece of an OBJ text: it reads a number that it cannot parse as 0.
+/// What must be known of a piece of an OBJ text before tinyobjloader reads it, or what it does not tell: it
+/// reads a number that it cannot parse as 0.
 struct ObjScan {
   ObjCounts counts;
   std::vector<std::uint32_t> non_finite_positions;  ///< 0-based `v` lines of the piece with "nan" or "inf"
   std::vector<std::uint32_t> non_finite_normals;    ///< 0-based `vn` lines likewise
+  std::vector<std::string> libraries;               ///< what follows `mtllib`, line by line
   bool readable = true;  ///< false: a `v`, `vn` or `f` line holds something other than its numbers
 };
 

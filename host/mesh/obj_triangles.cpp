@@ -1,11 +1,14 @@
 #include "mesh/obj_triangles.hpp"
 
 #include <fmt/format.h>
+#include <tiny_obj_loader.h>
 
-#include <cmath>
 #include <istream>
 #include <iterator>
 #include <sstream>
+#include <type_traits>
+
+#include "mesh/corner_order.hpp"
 
 namespace nook {
 namespace {
@@ -14,7 +17,7 @@ namespace {
 using Corners = std::array<std::size_t, 3>;
 
 const vec3& position_of(const ObjPiece& piece, const TriangleMesh& mesh, std::size_t corner) {
-  return mesh.positions[std::size_t(piece.corners[corner].vertex_index)];
+  return mesh.positions[std::size_t(piece.corners[corner].position)];
 }
 
 // tinyobjloader's cut of every face of more than four corners, which has an OBJ text of its own for it: each
@@ -78,18 +81,19 @@ void for_each_triangle(const ObjPiece& piece, const TriangleMesh& mesh, Add add)
   }
 }
 
-bool finite(const vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 std::uint32_t corner_normal(const TriangleMesh& mesh, int index) {
   const bool usable = index >= 0 && mesh.normals[std::size_t(index)] != vec3(0);
   return usable ? std::uint32_t(index) : TriangleMesh::no_normal;
 }
 
-template <class T>
-void append(std::vector<T>& to, const std::vector<T>& from) {
-  to.insert(to.end(), from.begin(), from.end());
+// Calls visit(array) for each of the arrays that have an entry a triangle.
+template <class Visit>
+void for_each_array(Visit visit) {
+  visit(&TriangleMesh::triangles);
+  visit(&TriangleMesh::triangle_normals);
+  visit(&TriangleMesh::triangle_uvs);
+  visit(&TriangleMesh::triangle_material);
+  visit(&TriangleMesh::triangle_group);
 }
 
 }  // namespace
@@ -101,41 +105,62 @@ TriangleMesh obj_triangles(const ObjPiece& piece, const std::vector<FaceRun>& ru
   std::size_t run = 0;
   for_each_triangle(piece, mesh, [&](std::size_t face, const Corners& corners) {
     while (run + 1 < runs.size() && runs[run + 1].first_face <= face) ++run;
-    ++part.report.triangles_read;
     std::array<std::uint32_t, 3> position{}, normal{}, uv{};
-    bool kept = true;
     for (std::size_t k = 0; k < 3; ++k) {
-      const tinyobj::index_t& corner = piece.corners[corners[k]];
-      position[k] = std::uint32_t(corner.vertex_index);
-      normal[k] = want.normals ? corner_normal(mesh, corner.normal_index) : 0;
-      uv[k] = std::uint32_t(corner.texcoord_index);
-      kept = kept && finite(mesh.positions[position[k]]);
-    }
-    if (!kept) {
-      ++part.report.non_finite_dropped;
-      return;
+      const ObjCorner& corner = piece.corners[corners[k]];
+      position[k] = std::uint32_t(corner.position);
+      normal[k] = want.normals ? corner_normal(mesh, corner.normal) : 0;
+      uv[k] = std::uint32_t(corner.uv);
     }
     part.triangles.push_back(position);
     if (want.normals) part.triangle_normals.push_back(normal);
     if (want.uvs) part.triangle_uvs.push_back(uv);
     if (want.materials) part.triangle_material.push_back(runs[run].material);
     if (want.groups) part.triangle_group.push_back(runs[run].group);
-    for (const std::uint32_t index : position) part.bounds.add(mesh.positions[index]);
-    for (const std::uint32_t n : normal) part.report.normals_replaced += n == TriangleMesh::no_normal;
   });
   return part;
 }
 
-void append_triangles(TriangleMesh& mesh, const TriangleMesh& part) {
-  append(mesh.triangles, part.triangles);
-  append(mesh.triangle_normals, part.triangle_normals);
-  append(mesh.triangle_uvs, part.triangle_uvs);
-  append(mesh.triangle_material, part.triangle_material);
-  append(mesh.triangle_group, part.triangle_group);
-  mesh.bounds.add(part.bounds);
-  mesh.report.triangles_read += part.report.triangles_read;
-  mesh.report.non_finite_dropped += part.report.non_finite_dropped;
-  mesh.report.normals_replaced += part.report.normals_replaced;
+void finish_triangles(TriangleMesh& part, const std::vector<vec3>& positions) {
+  const std::size_t count = part.triangles.size();
+  std::vector<std::uint32_t> kept;
+  kept.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& [a, b, c] = part.triangles[i];
+    if (!finite(positions[a]) || !finite(positions[b]) || !finite(positions[c])) continue;
+    kept.push_back(std::uint32_t(i));
+    for (const std::uint32_t index : {a, b, c}) part.bounds.add(positions[index]);
+  }
+  part.report.triangles_read = count;
+  part.report.non_finite_dropped = count - kept.size();
+  for_each_array([&](auto array) {
+    auto& values = part.*array;
+    if (values.empty() || kept.size() == count) return;
+    for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[kept[i]];
+    values.resize(kept.size());
+  });
+  for (const auto& corners : part.triangle_normals)
+    for (const std::uint32_t n : corners) part.report.normals_replaced += n == TriangleMesh::no_normal;
+  end_with_longest_edges(part, positions);
+}
+
+void join_triangles(TriangleMesh& mesh, std::vector<TriangleMesh>& parts) {
+  for_each_array([&](auto array) {
+    std::size_t total = 0;
+    for (const TriangleMesh& part : parts) total += (part.*array).size();
+    auto& whole = mesh.*array;
+    whole.reserve(total);
+    for (TriangleMesh& part : parts) {
+      whole.insert(whole.end(), (part.*array).begin(), (part.*array).end());
+      std::remove_reference_t<decltype(whole)>().swap(part.*array);
+    }
+  });
+  for (const TriangleMesh& part : parts) {
+    mesh.bounds.add(part.bounds);
+    mesh.report.triangles_read += part.report.triangles_read;
+    mesh.report.non_finite_dropped += part.report.non_finite_dropped;
+    mesh.report.normals_replaced += part.report.normals_replaced;
+  }
 }
 
 }  // namespace nook

@@ -170,10 +170,6 @@ class PlyFile {
   std::vector<Element> elements_;
 };
 
-bool finite(const vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 void read_vertices(PlyFile& file, const Element& element, TriangleMesh& mesh, std::vector<vec3>& normals) {
   static constexpr std::string_view names[] = {"x", "y", "z", "nx", "ny", "nz"};
   std::array<int, 6> place;

@@ -30,6 +30,14 @@ struct OpacityMap {
 static_assert(sizeof(PlacedMesh) == 25 * 4 && offsetof(PlacedMesh, normal) == 48 &&
               offsetof(PlacedMesh, first_triangle) == 84);
 
+/// What to keep of a mesh file; what no effect reads is not kept.
+struct MeshAttributes {
+  bool normals = true;
+  bool uvs = false;
+  bool materials = false;
+  bool groups = false;
+};
+
 /// Indexed triangles, shared by the path tracer and SSAO.
 ///
 /// With `instances`, `triangles` holds each distinct mesh once, in coordinates of its own (a part), and the
@@ -40,15 +48,15 @@ static_assert(sizeof(PlacedMesh) == 25 * 4 && offsetof(PlacedMesh, normal) == 48
 /// `triangle_normals`, `triangle_uvs` and `triangle_material` are either empty (the mesh has none) or as long
 /// as `triangles`.
 struct TriangleMesh {
-  static constexpr std::uint32_t no_normal = 0xffffffffu;
+  static constexpr std::uint32_t no_normal = 0xffffffffu, no_uv = 0xffffffffu, no_material = 0xffffffffu;
 
   std::vector<vec3> positions;  ///< world units
   std::vector<vec3> normals;    ///< unit length
   std::vector<vec2> uvs;
   std::vector<std::array<std::uint32_t, 3>> triangles;         ///< indices into positions, counter-clockwise
   std::vector<std::array<std::uint32_t, 3>> triangle_normals;  ///< indices into normals, or no_normal
-  std::vector<std::array<std::uint32_t, 3>> triangle_uvs;      ///< indices into uvs, or 0xffffffff
-  std::vector<std::uint32_t> triangle_material;                ///< index into materials
+  std::vector<std::array<std::uint32_t, 3>> triangle_uvs;      ///< indices into uvs, or no_uv
+  std::vector<std::uint32_t> triangle_material;                ///< index into materials, or no_material
   std::vector<std::uint32_t> triangle_group;                   ///< index into groups
   std::vector<Material> materials;
   std::vector<std::string> groups;

@@ -70,7 +70,8 @@ std::vector<Target> make_targets() {
       {"mesh",
        "input.obj",
        read_obj_mesh,
-       {"# a\nmtllib none.mtl\no a\ng b c\nusemtl m\ns 1\nv 0 0 0\nv 1 0 0 1 1 1\nv 0 1 0\nv 1 1 1e3\nvt 0 "
+       {"# a\nmtllib none.mtl a.mtl\no a\ng b c\nusemtl m\ns 1\nv 0 0 0\nv 1 0 0 1 1 1\nv 0 1 0\nv 1 1 "
+        "1e3\nvt 0 "
         "0\nvt 1 1\nvn 0 0 1\nf 1/1/1 2/2/1 3//1\nf -1 -2 -3 -4\nl 1 2\n",
         "v nan 0 0\nv inf 1 1\nv 1 2 3\nvn 0 0 0\nf 1 2 3\n",
         "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3 \\\r\n"},

@@ -79,6 +79,25 @@ TEST(Obj, MaterialLibrariesOfBlanksUtf8AndOtherFolders) {
   }
 }
 
+TEST(Obj, EachLibraryOfALineAndOfOtherLines) {
+  const TemporaryFolder folder;
+  write_bytes(folder / "a.mtl", "newmtl red\nNs 1\n");
+  write_bytes(folder / "b.mtl", "newmtl green\nNs 2\nnewmtl red\nNs 3\n");
+  write_bytes(folder / "c.mtl", "newmtl blue\nNs 4\n");
+  write_bytes(folder / "mesh.obj",
+              square +
+                  "mtllib a.mtl none.mtl  b.mtl\nusemtl blue\nf 1 2 3\nusemtl red\nf 1 3 4\n"
+                  "usemtl green\nf 1 2 4\nmtllib c.mtl\nmtllib a.mtl\n");
+  for (const std::size_t piece_bytes : {1u, 1u << 21}) {
+    const TriangleMesh mesh = load_obj(folder / "mesh.obj", with_materials, piece_bytes);
+    ASSERT_EQ(mesh.materials.size(), 4u);
+    std::vector<float> exponents;
+    for (const std::uint32_t m : mesh.triangle_material)
+      exponents.push_back(mesh.materials.at(m).phong_exponent);
+    EXPECT_EQ(exponents, (std::vector<float>{4, 1, 2}));
+  }
+}
+
 TEST(Obj, ALibraryOfBinaryNoiseIsNoCrash) {
   const TemporaryFolder folder;
   std::string noise;
