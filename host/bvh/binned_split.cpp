@@ -6,7 +6,7 @@
 namespace nook {
 namespace {
 
-constexpr int most_bins = 32;
+constexpr int most_bins = 256;            // of nodes with many references, where a better plane costs least
 constexpr std::uint32_t piece = 1 << 15;  // references a task, where several threads split one node
 
 struct Bins {
@@ -39,7 +39,7 @@ struct Bins {
 // The bins along each axis. One without extent has the scale 0: all references share a bin there.
 Split grid_of(std::uint32_t count, const Span4& span) {
   Split grid;
-  grid.bins = count < 64 ? 16 : most_bins;
+  grid.bins = count < 64 ? 16 : count < 1024 ? 32 : count < 65536 ? 128 : most_bins;
   grid.offset = span.centers.lo;
   const Float4 extent = span.centers.hi - span.centers.lo;
   for (int axis = 0; axis < 3; ++axis) {
