@@ -16,6 +16,7 @@
 #include "render/picture.hpp"
 #include "render/scene_mesh.hpp"
 #include "render/texture_points.hpp"
+#include "render/tree_options.hpp"
 #include "scene/scene_toml.hpp"
 #include "stopwatch.hpp"
 

@@ -9,7 +9,7 @@
 #include "embree_occlusion.hpp"
 #include "kernel_runner.hpp"
 #include "record.hpp"
-#include "render/path_tracer.hpp"
+#include "render/tree_options.hpp"
 #include "stopwatch.hpp"
 
 namespace nook::bench {
@@ -22,7 +22,7 @@ struct Settings {
   float exponent = 30, max_distance = std::numeric_limits<float>::infinity();
   std::vector<std::string> defines;
   std::string device, output, against;
-  bool ours_only = false, cpu_time = false;
+  bool ours_only = false, unrefined = false, cpu_time = false;
 };
 
 BuildOptions build_options(const std::vector<std::string>& defines) {
@@ -61,8 +61,9 @@ void run(const Settings& s) {
   const BenchScene scene = bench_scene(s.scene);
   const EmbreeScene fast(scene.mesh, false, s.threads), robust(scene.mesh, true, s.threads);
   const Device device(select_device(s.device));
-  const Bvh bvh = build_bvh(
-      scene.mesh, {.threads = s.threads, .width = s.width ? s.width : tree_width(device.info(), {})});
+  const Bvh bvh = build_bvh(scene.mesh, {.threads = s.threads,
+                                         .width = s.width ? s.width : tree_width(device.info(), {}),
+                                         .refined = !s.unrefined});
   std::printf("%s: %zu triangles; %u children a node, %.1f B and %.2f SAH, %.1f triangles a leaf\n",
               s.scene.c_str(), scene.mesh.triangles.size(), bvh.width(),
               double(bvh.bytes()) / double(scene.mesh.triangles.size()), bvh.statistics.sah_cost,
@@ -151,6 +152,7 @@ void run(const Settings& s) {
                         {"ray_count", work.rays},
                         {"directions", s.directions},
                         {"width", bvh.width()},
+                        {"refined", !s.unrefined},
                         {"clock", s.cpu_time ? "cpu" : "wall"},
                         {"mrays_per_s", our_rate},
                         {"embree_mrays_per_s", embree_rate},
@@ -187,6 +189,7 @@ void add_occlusion(CLI::App& app) {
   command->add_option("--directions", s->directions)->check(CLI::Range(1, 32));
   command->add_option("--width", s->width, "children a node; what the device asks for unless given")
       ->check(CLI::IsMember({8, 16}));
+  command->add_flag("--unrefined", s->unrefined, "the tree of a render of few rays");
   command->add_option("--exponent", s->exponent, "of the lobe");
   command->add_option("--max-distance", s->max_distance, "world units");
   command->add_option("--against", s->against,

@@ -73,8 +73,8 @@ def occlusion(folder):
 
 
 def tree(folder):
-    lines = read(folder, "tree", lambda l: (l["scene"], l["threads"]))
-    labels = [f"{l['scene']}, {l['threads']} threads" for l in lines]
+    lines = read(folder, "tree", lambda l: (l["scene"], l["refined"], l["threads"]))
+    labels = [f"{l['scene']}, {'refined, ' if l['refined'] else ''}{l['threads']} threads" for l in lines]
     bars(folder, "tree", labels, lines, "Seconds to build the tree, rtcCommitScene MEDIUM = 1", "time_ratios", True)
     return lines
 
@@ -169,7 +169,7 @@ def main(folder):
         [[occlusion_name(l), f"{l['mrays_per_s']:.1f}", f"{l['embree_mrays_per_s']:.1f}", l["embree_variant"], f"{l['ratio']:.2f} {spread(l['ratios'])}", l["clock"]] for l in lines])
     text["tree"] = table(
         ["scene", "threads", "seconds", "rtcCommitScene", "its time x [least, greatest]", "bytes a triangle", "clock"],
-        [[l["scene"], str(l["threads"]), f"{l['seconds']:.3f}", f"{l['embree_seconds']:.3f}", f"{l['time_ratio']:.2f} {spread(l['time_ratios'])}", f"{l['bytes_per_triangle']:.1f}", l["clock"]] for l in tree(folder)])
+        [[l["scene"] + (", refined" if l["refined"] else ""), str(l["threads"]), f"{l['seconds']:.3f}", f"{l['embree_seconds']:.3f}", f"{l['time_ratio']:.2f} {spread(l['time_ratios'])}", f"{l['bytes_per_triangle']:.1f}", l["clock"]] for l in tree(folder)])
     text["end to end"] = table(
         ["scene, rays a pixel, kernel cache", "nook, seconds", "Embree program", "ratio [least, greatest]", "load / tree / render / write", "RMSE between the pictures", "MB, nook and Embree", "clock"],
         [[end_to_end_name(l), f"{l['seconds']:.2f}", f"{l['embree_seconds']:.2f}", f"{l['ratio']:.2f} {spread(l['ratios'])}",

@@ -23,7 +23,8 @@ wanted() {
 "$bench" machine > "$results/machine.txt"
 
 if wanted occlusion; then
-  run() { "$bench" occlusion --rounds 5 --threads "$threads" --output "$results/occlusion.jsonl" $clock "$@"; }
+  rounds=5
+  run() { "$bench" occlusion --rounds $rounds --threads "$threads" --output "$results/occlusion.jsonl" $clock "$@"; }
   ao() { run --resolution "${RESOLUTION:-1024}" --rays ao "$@"; }
   other() { run --resolution "${RESOLUTION:-512}" "$@"; }
   for scene in bunny room cornell spaceship; do ao --scene $scene; done
@@ -33,11 +34,14 @@ if wanted occlusion; then
     other --scene $scene --rays ro --exponent 300
   done
   for scene in bunny room cornell; do other --scene $scene --rays own; done
+  rounds=21  # of some milliseconds each
   for scene in bunny room cornell; do other --scene $scene --rays primary; done
 fi
 if wanted tree; then
   for scene in bunny room; do
-    for n in 1 "$threads"; do "$bench" tree --scene $scene --rounds 7 --threads "$n" --output "$results/tree.jsonl" $clock; done
+    for refined in "" --refined; do
+      for n in 1 "$threads"; do "$bench" tree --scene $scene --rounds 7 --threads "$n" $refined --output "$results/tree.jsonl" $clock; done
+    done
   done
 fi
 if wanted end_to_end; then

@@ -19,6 +19,7 @@
 #include "mesh/ply.hpp"
 #include "record.hpp"
 #include "render/path_tracer.hpp"
+#include "render/tree_options.hpp"
 #include "scene_files.hpp"
 #include "stopwatch.hpp"
 
@@ -141,7 +142,7 @@ struct Option {
   std::function<void(Scene&)> change = [](Scene&) {};
   std::function<std::string(std::string)> kernels = [](std::string source) { return source; };
   Traversal traversal = Traversal::automatic;
-  bool smooth = false, other_width = false;
+  bool smooth = false, other_width = false, refined = false;
   double most_difference = 1;  ///< of the picture's mean from the base's, relative
 };
 
@@ -189,6 +190,7 @@ std::vector<Option> options(const char* other_width) {
            .kernels = [](std::string source) { return "#define TRAVERSAL_PORTABLE 1\n" + source; },
            .most_difference = 0},
           {.name = other_width, .other_width = true, .most_difference = 0},
+          {.name = "refined tree", .refined = true, .most_difference = 0},
           {.name = "one ray a work-item", .traversal = Traversal::scalar, .most_difference = 0}};
 }
 
@@ -228,7 +230,8 @@ void run_options(const Settings& s) {
   const Device device(select_device(""));
   const unsigned width = tree_width(device.info(), {});
   const Bvh bvh = build_bvh(bench.mesh, {.threads = s.threads, .width = width}),
-            other = build_bvh(bench.mesh, {.threads = s.threads, .width = width == 16 ? 8u : 16u});
+            other = build_bvh(bench.mesh, {.threads = s.threads, .width = width == 16 ? 8u : 16u}),
+            refined = build_bvh(bench.mesh, {.threads = s.threads, .width = width, .refined = true});
   Scene scene;
   scene.camera = {bench.eye, bench.at, vec3(0, 1, 0), bench.fov};
   scene.width = scene.height = 512;
@@ -244,8 +247,8 @@ void run_options(const Settings& s) {
     Candidate& made = candidates.emplace_back();
     made.plan = make_plan(changed, mesh);
     const auto source = [&](const std::string& file) { return option.kernels(kernel_source(file)); };
-    made.tracer = std::make_unique<PathTracer>(device, made.plan, mesh, option.other_width ? other : bvh,
-                                               source, option.traversal);
+    const Bvh& tree = option.other_width ? other : option.refined ? refined : bvh;
+    made.tracer = std::make_unique<PathTracer>(device, made.plan, mesh, tree, source, option.traversal);
   }
   const std::vector<std::uint32_t> pixels = pixels_in_order(candidates[0].plan.window, scene.width);
   for (Candidate& c : candidates) c.run(pixels);  // compiles, and touches memory

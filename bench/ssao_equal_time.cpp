@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "render/path_tracer.hpp"
+#include "render/tree_options.hpp"
 #include "ssao/view.hpp"
 
 namespace nook::bench {

@@ -18,7 +18,7 @@ struct Settings {
   std::string scene = "bunny";
   unsigned rounds = 7, threads = 2;
   std::string output;
-  bool cpu_time = false;
+  bool cpu_time = false, refined = false;
 };
 
 void run(const Settings& s) {
@@ -29,7 +29,7 @@ void run(const Settings& s) {
   for (unsigned i = 0; i < s.rounds; ++i) {
     bvh = {};
     const Stopwatch watch;
-    bvh = build_bvh(scene.mesh, {.threads = s.threads});  // of 16 children, whatever the device
+    bvh = build_bvh(scene.mesh, {.threads = s.threads, .refined = s.refined});  // of 16 children
     ours.push_back(watch.seconds());
     embree.push_back(EmbreeScene(scene.mesh, false, s.threads).commit_seconds());
     ratios.push_back(ours.back() / embree.back());
@@ -37,14 +37,16 @@ void run(const Settings& s) {
   const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
   const double bytes = double(bvh.bytes()) / double(scene.mesh.triangles.size());
   std::printf(
-      "%s tree, %u threads, %zu triangles: %.3f s (collapse %.3f s), Embree %.3f s: %.2fx its time [%.2f, "
+      "%s%s tree, %u threads, %zu triangles: %.3f s (collapse %.3f s), Embree %.3f s: %.2fx its time [%.2f, "
       "%.2f]; %.1f B a triangle, SAH %.2f\n",
-      s.scene.c_str(), s.threads, scene.mesh.triangles.size(), median(ours), bvh.statistics.collapse_seconds,
-      median(embree), median(ratios), *least, *most, bytes, bvh.statistics.sah_cost);
+      s.scene.c_str(), s.refined ? ", refined" : "", s.threads, scene.mesh.triangles.size(), median(ours),
+      bvh.statistics.collapse_seconds, median(embree), median(ratios), *least, *most, bytes,
+      bvh.statistics.sah_cost);
   append_record(s.output, {{"bench", "tree"},
                            {"scene", s.scene},
                            {"threads", s.threads},
                            {"rounds", s.rounds},
+                           {"refined", s.refined},
                            {"clock", s.cpu_time ? "cpu" : "wall"},
                            {"triangles", scene.mesh.triangles.size()},
                            {"seconds", median(ours)},
@@ -64,6 +66,7 @@ void add_tree(CLI::App& app) {
   command->add_option("--scene", s->scene, "bunny, room, cornell, spaceship, or an OBJ file");
   command->add_option("--rounds", s->rounds)->check(CLI::Range(1, 100));
   command->add_option("--threads", s->threads)->check(CLI::Range(1, 1024));
+  command->add_flag("--refined", s->refined, "the tree of a render of many rays");
   command->add_option("--output", s->output, "JSON lines are appended here");
   command->add_flag("--cpu-time", s->cpu_time,
                     "measure the process's CPU time instead of the wall clock's: for a busy machine");

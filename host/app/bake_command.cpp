@@ -14,6 +14,7 @@
 #include "mesh/ply.hpp"
 #include "render/path_tracer.hpp"
 #include "render/scene_mesh.hpp"
+#include "render/tree_options.hpp"
 #include "render/vertex_points.hpp"
 
 namespace nook {
@@ -104,8 +105,9 @@ int bake(const BakeOptions& options) {
                               effect.effect.view_space ? "space = \"view\"" : "side = \"viewer\""));
   const TexturePoints texels = to_texture ? points_of_texture(options.texture, scene, mesh) : TexturePoints{};
   const Device device = options.device.open();
-  const Bvh bvh =
-      build_bvh(mesh, {.threads = options.device.threads, .width = tree_width(device.info(), plan)});
+  const double points = double(to_texture ? texels.points.size() : mesh.positions.size());
+  const double rays = points * plan.directions * double(plan.effects.size());
+  const Bvh bvh = build_bvh(mesh, tree_options(device.info(), plan, rays, options.device.threads));
   PathTracer tracer(device, plan, mesh, bvh);
   catch_interrupts();
   if (to_texture)

@@ -4,7 +4,7 @@
 #include "app/commands.hpp"
 #include "base/error.hpp"
 #include "device/device.hpp"
-#include "render/path_tracer.hpp"
+#include "render/tree_options.hpp"
 
 namespace nook {
 namespace {

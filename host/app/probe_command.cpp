@@ -13,6 +13,7 @@
 #include "render/path_tracer.hpp"
 #include "render/points.hpp"
 #include "render/scene_mesh.hpp"
+#include "render/tree_options.hpp"
 #include "scene/names.hpp"
 
 namespace nook {
@@ -68,8 +69,8 @@ int probe(const ProbeOptions& options) {
       options.points == "-" ? read_points(std::cin, "standard input", needs_view, mesh.bounds)
                             : load_points(options.points, needs_view, mesh.bounds);
   const Device device = options.device.open();
-  const Bvh bvh =
-      build_bvh(mesh, {.threads = options.device.threads, .width = tree_width(device.info(), plan)});
+  const double rays = double(points.size()) * options.samples;
+  const Bvh bvh = build_bvh(mesh, tree_options(device.info(), plan, rays, options.device.threads));
   PathTracer tracer(device, plan, mesh, bvh);
   const Film film = tracer.estimate_points(points, 0, options.samples);
   fmt::print("value,standard_error,samples\n");

@@ -28,6 +28,7 @@
 #include "render/picture.hpp"
 #include "render/scene_mesh.hpp"
 #include "render/session.hpp"
+#include "render/tree_options.hpp"
 #include "report/run_record.hpp"
 
 namespace nook {
@@ -252,10 +253,12 @@ int render(const Scene& scene, const RenderOptions& options, Loaded& loaded) {
   record.device = device.info();
   if (!options.quiet) announce(record, stop);
   watch.lap();
-  const unsigned width = loaded.bvh ? loaded.bvh->width() : tree_width(device.info(), record.plan);
+  const BvhOptions tree =
+      tree_options(device.info(), record.plan, planned_rays(record.plan), options.device.threads);
+  const unsigned width = loaded.bvh ? loaded.bvh->width() : tree.width;
   std::future<PathTracer::Programs> programs =
       std::async(std::launch::async, [&] { return PathTracer::build_programs(device, record.plan, width); });
-  if (!loaded.bvh) loaded.bvh = build_bvh(mesh, {.threads = options.device.threads, .width = width});
+  if (!loaded.bvh) loaded.bvh = build_bvh(mesh, tree);
   const Bvh& bvh = *loaded.bvh;
   record.seconds.bvh = watch.lap();
   PathTracer tracer(device, record.plan, mesh, bvh, kernel_source, Traversal::automatic, programs.get());

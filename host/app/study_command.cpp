@@ -1,5 +1,6 @@
 // nook study SCENE: what accuracy costs in time, measured; JSON, CSV and a page.
 #include <fmt/format.h>
+#include <limits>
 
 #include <algorithm>
 #include <chrono>
@@ -15,6 +16,7 @@
 #include "mesh/mesh_analysis.hpp"
 #include "render/path_tracer.hpp"
 #include "render/scene_mesh.hpp"
+#include "render/tree_options.hpp"
 #include "report/study_page.hpp"
 #include "scene/names.hpp"
 
@@ -168,8 +170,10 @@ int study(const StudyOptions& options) {
 
   const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene, false));
   const Device device = options.device.open();
-  const Bvh bvh = build_bvh(
-      mesh, {.threads = options.device.threads, .width = tree_width(device.info(), make_plan(scene, mesh))});
+  // A study's rays are many.
+  const Bvh bvh =
+      build_bvh(mesh, tree_options(device.info(), make_plan(scene, mesh),
+                                   std::numeric_limits<double>::infinity(), options.device.threads));
   catch_interrupts();
 
   // As many pixels as the budget can afford; the size of an earlier study in the folder, so that it can go

@@ -11,6 +11,7 @@
 #include "bvh/binary_tree.hpp"
 #include "bvh/collapse.hpp"
 #include "bvh/instance_trees.hpp"
+#include "bvh/reinsertion.hpp"
 
 namespace nook {
 namespace {
@@ -24,12 +25,19 @@ Bvh build(const TriangleMesh& mesh, const BvhOptions& options) {
   TaskPool pool(threads_to_use(options.threads));
   Bvh bvh;
   double build_seconds = 0, collapse_seconds = 0;
-  for (const SplitRule rule : {SplitRule::surface_area, SplitRule::median}) {
-    const BinaryTree tree = build_binary_tree(mesh, rule, pool);
+  struct Attempt {
+    SplitRule rule;
+    bool refined;
+  };
+  // A mesh made to be deep gets a balanced tree, so that the kernels' stack suffices.
+  std::vector<Attempt> attempts = {{SplitRule::surface_area, false}, {SplitRule::median, false}};
+  if (options.refined) attempts.insert(attempts.begin(), {SplitRule::surface_area, true});
+  for (const Attempt& attempt : attempts) {
+    BinaryTree tree = build_binary_tree(mesh, attempt.rule, pool);
+    if (attempt.refined) tree = reinsert_subtrees(tree, pool);
     build_seconds = seconds_since(start);
     bvh = collapse(tree, mesh, options.width, pool);
     collapse_seconds = seconds_since(start) - build_seconds;
-    // A mesh made to be deep gets a balanced tree, so that the kernels' stack suffices.
     if (bvh.statistics.depth <= BVH_MAX_DEPTH) break;
   }
   bvh.statistics.build_seconds = build_seconds;

@@ -47,10 +47,6 @@ double seconds_of(const ClEvent& kernel) {
 
 }  // namespace
 
-unsigned tree_width(const DeviceInfo& device, const Plan& plan) {
-  return device.is_cpu() && device.native_float_width < 16 && !plan.asks_reach() ? 8 : 16;
-}
-
 struct PathTracer::Slot {
   Batch batch;
   ClBuffer tasks, points;

@@ -50,12 +50,6 @@ struct Finished {
 /// portable is stream without a processor's own instructions. The same bits.
 enum class Traversal { automatic, stream, portable, scalar };
 
-/// The children a node of the trees that are best for a device: as many as a vector has floats, 8 or 16,
-/// where rays go through the tree in streams. Elsewhere 16: a ray by itself reads the children one after
-/// another, and of wide nodes it visits fewer. 16 everywhere for a plan that asks what is in reach: what the
-/// first visits tell of that depends on the tree, and pictures to an error on it.
-unsigned tree_width(const DeviceInfo& device, const Plan& plan);
-
 /// One scene on one device: uploaded once, its kernels specialised to the plan.
 class PathTracer {
  public:

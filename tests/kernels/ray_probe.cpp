@@ -103,7 +103,7 @@ std::ostream& operator<<(std::ostream& out, const TraversalVariant& variant) {
 }
 
 RayProbe::RayProbe(const TriangleMesh& mesh, const TraversalVariant& variant)
-    : bvh_(build_bvh(mesh, {.width = variant.width})),
+    : bvh_(build_bvh(mesh, {.width = variant.width, .refined = variant.width == 8})),
       device_(test::device()),
       program_(build_program(device_, source_of(variant),
                              BuildOptions(variant.options).define("BVH_WIDTH", variant.width))) {}

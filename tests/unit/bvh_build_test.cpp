@@ -7,6 +7,8 @@
 #include <cstring>
 #include <random>
 #include <span>
+#include <string>
+#include <tuple>
 
 #include "base/error.hpp"
 #include "bvh/bvh.hpp"
@@ -133,12 +135,13 @@ void expect_valid(const TriangleMesh& mesh, const Bvh& bvh, unsigned expected_tr
   std::visit([&](const auto& nodes) { expect_valid(mesh, nodes, bvh, expected_triangles); }, bvh.nodes);
 }
 
-/// By the number of a node's children.
-class BvhBuild : public ::testing::TestWithParam<unsigned> {
+/// By the number of a node's children, and whether the tree is refined.
+class BvhBuild : public ::testing::TestWithParam<std::tuple<unsigned, bool>> {
  protected:
   static Bvh build(const TriangleMesh& mesh, unsigned threads = 0) {
-    Bvh bvh = build_bvh(mesh, {.threads = threads, .width = GetParam()});
-    EXPECT_EQ(bvh.width(), GetParam());
+    const auto [width, refined] = GetParam();
+    Bvh bvh = build_bvh(mesh, {.threads = threads, .width = width, .refined = refined});
+    EXPECT_EQ(bvh.width(), width);
     return bvh;
   }
 };
@@ -243,7 +246,32 @@ TEST_P(BvhBuild, NeedsAtMost70BytesATriangleOfAFineSurface) {
   EXPECT_LE(double(build(mesh).bytes()) / double(mesh.triangles.size()), 70.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Widths, BvhBuild, ::testing::Values(16u, 8u), ::testing::PrintToStringParamName());
+// Boxes beyond the floats' range, and areas that are: no search by them may go on for ever.
+TEST_P(BvhBuild, HoldsTrianglesAtTheEndsOfTheFloats) {
+  TriangleMesh mesh = random_mesh(3000, 0.1f, 8);
+  for (std::size_t i = 0; i < mesh.positions.size(); i += 7) mesh.positions[i] *= i % 2 ? 1e37f : 1e20f;
+  expect_valid(mesh, build(mesh), 3000);
+}
+
+INSTANTIATE_TEST_SUITE_P(Widths, BvhBuild, ::testing::Combine(::testing::Values(16u, 8u), ::testing::Bool()),
+                         [](const auto& test) {
+                           return std::to_string(std::get<0>(test.param)) +
+                                  (std::get<1>(test.param) ? "_refined" : "");
+                         });
+
+// A few large triangles among many small ones, which planes between centres leave where they enlarge every
+// box up to the root.
+TEST(BvhRefinement, TakesLargeTrianglesOutOfSmallBoxes) {
+  TriangleMesh mesh = random_mesh(20000, 0.01f, 9);
+  const TriangleMesh large = random_mesh(200, 2, 10);
+  for (const auto& t : large.triangles) {
+    const auto n = std::uint32_t(mesh.positions.size());
+    for (const std::uint32_t corner : t) mesh.positions.push_back(large.positions[corner]);
+    mesh.triangles.push_back({n, n + 1, n + 2});
+  }
+  const Bvh plain = build_bvh(mesh), refined = build_bvh(mesh, BvhOptions{.refined = true});
+  EXPECT_LT(refined.statistics.sah_cost, .95 * plain.statistics.sah_cost);
+}
 
 }  // namespace
 }  // namespace nook

@@ -1,7 +1,8 @@
-// A node of the tree has as many children as the device's vectors have floats.
+// A node of the tree has as many children as the device's vectors have floats; trees are refined for many
+// rays.
 #include <gtest/gtest.h>
 
-#include "render/path_tracer.hpp"
+#include "render/tree_options.hpp"
 
 namespace nook {
 namespace {
@@ -32,6 +33,21 @@ TEST(TreeWidth, IsTheSameForAllWhereAPlanAsksWhatIsInReach) {
   EXPECT_EQ(width_of(CL_DEVICE_TYPE_CPU, 8, plan), 8u);
   plan.effects[1].reach = true;
   EXPECT_EQ(width_of(CL_DEVICE_TYPE_CPU, 8, plan), 16u);
+}
+
+TEST(TreeOptions, RefineForManyRaysAlone) {
+  Plan plan;
+  plan.window = {0, 0, 1024, 1024};
+  plan.effects.resize(1);
+  const auto refined = [&] { return tree_options(DeviceInfo(), plan, planned_rays(plan), 3).refined; };
+  plan.directions = 16;
+  EXPECT_FALSE(refined());
+  plan.directions = 64;
+  EXPECT_TRUE(refined());
+  plan.directions = 8, plan.spp = 8;
+  EXPECT_TRUE(refined());
+  plan.effects[0].reach = true;  // what it is told depends on the tree
+  EXPECT_FALSE(refined());
 }
 
 }  // namespace
