@@ -155,7 +155,7 @@ class UpperTree {
 
   void move(std::uint32_t at) {
     const std::uint32_t parent = nodes_[at].parent;
-    if (parent == 0) return;  // the root's place is not changed
+    if (parent == 0) return;  // the root's children stay: their parent would be moved along
     const std::uint32_t above = nodes_[parent].parent,
                         sibling = nodes_[parent].left == at ? nodes_[parent].right : nodes_[parent].left;
     replace_child(above, parent, sibling);

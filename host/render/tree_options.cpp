@@ -20,7 +20,7 @@ double planned_rays(const Plan& plan) {
 BvhOptions tree_options(const DeviceInfo& device, const Plan& plan, double rays, unsigned threads) {
   return {.threads = threads,
           .width = tree_width(device, plan),
-          .refined = rays >= rays_worth_refining && !plan.asks_reach()};
+          .refined = rays >= rays_worth_refining && !plan.asks_reach() && !plan.instances};
 }
 
 }  // namespace nook

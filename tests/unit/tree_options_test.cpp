@@ -46,6 +46,9 @@ TEST(TreeOptions, RefineForManyRaysAlone) {
   EXPECT_TRUE(refined());
   plan.directions = 8, plan.spp = 8;
   EXPECT_TRUE(refined());
+  plan.instances = true;  // a refinement for each mesh
+  EXPECT_FALSE(refined());
+  plan.instances = false;
   plan.effects[0].reach = true;  // what it is told depends on the tree
   EXPECT_FALSE(refined());
 }
