@@ -1,5 +1,5 @@
 # nook_add_subdirectories(NAMES...): those that have a CMakeLists.txt.
-# nook_library(NAME SOURCES ... LINK ...): one static library per folder, usable as nook::NAME.
+# nook_library(NAME LINK ... PRIVATE_LINK ...): one static library of the folder's .cpp files, usable as nook::NAME.
 # nook_embed(TARGET NAMESPACE ROOT FILES...): text files as a constexpr table {path, text}.
 
 add_library(nook_flags INTERFACE)
@@ -21,9 +21,11 @@ macro(nook_add_subdirectories)
 endmacro()
 
 function(nook_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
-  if(ARG_SOURCES)
-    add_library(nook_${name} STATIC ${ARG_SOURCES})
+  cmake_parse_arguments(ARG "" "" "LINK;PRIVATE_LINK" ${ARGN})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp)
+  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+  if(sources)
+    add_library(nook_${name} STATIC ${sources})
     target_link_libraries(nook_${name} PUBLIC nook_flags ${ARG_LINK} PRIVATE ${ARG_PRIVATE_LINK})
   else()
     add_library(nook_${name} INTERFACE)
