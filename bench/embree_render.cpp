@@ -14,7 +14,7 @@
 #include "base/error.hpp"
 #include "base/threads.hpp"
 #include "embree_scene.hpp"
-#include "film/exr.hpp"
+#include "image/exr.hpp"
 #include "kernels/shared/task.h"
 #include "render/plan.hpp"
 #include "render/scene_mesh.hpp"

@@ -8,8 +8,8 @@
 
 #include "base/error.hpp"
 #include "child.hpp"
-#include "film/exr.hpp"
-#include "film/metrics.hpp"
+#include "image/exr.hpp"
+#include "image/metrics.hpp"
 #include "record.hpp"
 #include "scene_files.hpp"
 

@@ -12,7 +12,7 @@
 
 #include "base/error.hpp"
 #include "child.hpp"
-#include "film/exr.hpp"
+#include "image/exr.hpp"
 #include "record.hpp"
 
 namespace nook::bench {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
-#include "film/png.hpp"
+#include "image/png.hpp"
 #include "mesh/obj_loader.hpp"
 #include "record.hpp"
 #include "render/plan.hpp"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "film/exr.hpp"
-#include "film/image.hpp"
+#include "image/exr.hpp"
+#include "image/image.hpp"
 #include "temporary_folder.hpp"
 
 namespace nook::test {

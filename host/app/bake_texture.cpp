@@ -9,8 +9,8 @@
 #include "app/interrupt.hpp"
 #include "base/error.hpp"
 #include "base/memory.hpp"
-#include "film/exr.hpp"
-#include "film/png.hpp"
+#include "image/exr.hpp"
+#include "image/png.hpp"
 #include "render/picture.hpp"
 
 namespace nook {

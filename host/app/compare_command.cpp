@@ -8,8 +8,8 @@
 
 #include "app/commands.hpp"
 #include "base/error.hpp"
-#include "film/compare.hpp"
-#include "film/error_image.hpp"
+#include "image/compare.hpp"
+#include "image/error_image.hpp"
 
 namespace nook {
 namespace {

@@ -12,7 +12,7 @@
 #include "app/delivery.hpp"
 #include "base/error.hpp"
 #include "base/pending_file.hpp"
-#include "film/exr.hpp"
+#include "image/exr.hpp"
 
 extern char** environ;
 

@@ -8,8 +8,8 @@
 #include "app/commands.hpp"
 #include "base/error.hpp"
 #include "film/checkpoint.hpp"
-#include "film/exr.hpp"
-#include "film/png.hpp"
+#include "image/exr.hpp"
+#include "image/png.hpp"
 #include "render/picture.hpp"
 #include "report/run_record.hpp"
 

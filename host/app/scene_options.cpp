@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "base/threads.hpp"
 #include "device/pocl_folder.hpp"
-#include "film/exr.hpp"
+#include "image/exr.hpp"
 #include "render/plan.hpp"
 #include "scene/names.hpp"
 #include "scene/scene_toml.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "film/image.hpp"
+#include "image/image.hpp"
 #include "mesh/triangle_mesh.hpp"
 #include "render/picture.hpp"
 #include "report/run_record.hpp"

@@ -12,7 +12,7 @@
 #include "base/error.hpp"
 #include "base/version.hpp"
 #include "bvh/bvh.hpp"
-#include "film/exr.hpp"
+#include "image/exr.hpp"
 #include "mesh/mesh_analysis.hpp"
 #include "render/path_tracer.hpp"
 #include "render/scene_mesh.hpp"

@@ -7,7 +7,7 @@
 
 #include "film/coverage.hpp"
 #include "film/film.hpp"
-#include "film/image.hpp"
+#include "image/image.hpp"
 
 namespace nook {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "film/film_part.hpp"
-#include "film/image.hpp"
+#include "image/image.hpp"
 #include "render/path_tracer.hpp"
 #include "render/pixel_rule.hpp"
 #include "render/session.hpp"

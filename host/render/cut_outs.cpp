@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "film/png.hpp"
+#include "image/png.hpp"
 
 namespace nook {
 namespace {

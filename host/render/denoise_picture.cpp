@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "film/denoise.hpp"
+#include "image/denoise.hpp"
 
 namespace nook {
 namespace {

@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "film/film.hpp"
-#include "film/image.hpp"
+#include "image/image.hpp"
 #include "kernels/shared/surface_point.h"
 #include "render/plan.hpp"
 
 namespace nook {
 
-/// Filters the values of the plan's effects in a picture (film/denoise.hpp): AO and RO, and of bent normals
+/// Filters the values of the plan's effects in a picture (image/denoise.hpp): AO and RO, and of bent normals
 /// their AO. `surface`: one point per pixel of the window, row-major; `films`: by effect, for their variance.
 /// What is filtered is the mean over the camera rays that hit the mesh, so that a silhouette keeps its share
 /// of background; a pixel whose centre sees none stays as it is.

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "film/image.hpp"
+#include "image/image.hpp"
 #include "kernels/shared/surface_point.h"
 #include "render/plan.hpp"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "film/film_part.hpp"
-#include "film/image.hpp"
+#include "image/image.hpp"
 #include "kernels/shared/surface_point.h"
 #include "render/plan.hpp"
 

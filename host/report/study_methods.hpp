@@ -41,7 +41,7 @@ class StudyScene {
                           std::uint32_t max_spp) const;
   /// By the stop rule of that sampler: independent or sobol.
   StudyMethod adaptive(Sampler sampler) const;
-  /// Cosine (RO: lobe) and Sobol' through film/denoise.hpp.
+  /// Cosine (RO: lobe) and Sobol' through image/denoise.hpp.
   StudyMethod denoised(std::uint32_t max_spp) const;
 
   /// 16 independent scrambles of Halton's sequence (no method's random numbers: the seeds are others),

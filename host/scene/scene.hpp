@@ -131,7 +131,7 @@ struct Scene {
   std::uint32_t seed = 0;
   StopTarget stop;
   bool compat_tinyrender = false;  ///< automatic AO limit 1.5, as the course's images have
-  bool denoise = false;            ///< filter what is traced; see film/denoise.hpp
+  bool denoise = false;            ///< filter what is traced; see image/denoise.hpp
 };
 
 }  // namespace nook

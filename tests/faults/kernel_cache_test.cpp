@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bad_input_rows.hpp"
-#include "film/exr.hpp"
+#include "image/exr.hpp"
 #include "support/program.hpp"
 
 namespace nook::test {

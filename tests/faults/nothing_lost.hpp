@@ -6,7 +6,7 @@
 #include <string>
 
 #include "bad_input_rows.hpp"
-#include "film/exr.hpp"
+#include "image/exr.hpp"
 #include "small_scene.hpp"
 #include "support/program.hpp"
 

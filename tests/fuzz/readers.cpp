@@ -10,7 +10,7 @@
 #include "app/delivery.hpp"
 #include "base/error.hpp"
 #include "film/checkpoint.hpp"
-#include "film/exr.hpp"
+#include "image/exr.hpp"
 #include "mesh/mesh_analysis.hpp"
 #include "mesh/obj_loader.hpp"
 #include "mesh/ply.hpp"

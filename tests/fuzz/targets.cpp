@@ -5,7 +5,7 @@
 
 #include "base/error.hpp"
 #include "film/checkpoint.hpp"
-#include "film/exr.hpp"
+#include "image/exr.hpp"
 #include "mesh/ply.hpp"
 #include "readers.hpp"
 #include "temporary_folder.hpp"

@@ -10,8 +10,8 @@
 #include <numeric>
 
 #include "bvh/bvh.hpp"
-#include "film/image.hpp"
-#include "film/png.hpp"
+#include "image/image.hpp"
+#include "image/png.hpp"
 #include "render/path_tracer.hpp"
 #include "render/scene_mesh.hpp"
 #include "scene/scene_toml.hpp"

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "film/exr.hpp"
+#include "image/exr.hpp"
 #include "ssao_scenes.hpp"
 #include "temporary_folder.hpp"
 

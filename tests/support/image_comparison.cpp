@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "film/exr.hpp"
-#include "film/png.hpp"
+#include "image/exr.hpp"
+#include "image/png.hpp"
 #include "support/statistics.hpp"
 
 namespace nook::test {

@@ -1,4 +1,4 @@
-#include "film/compare.hpp"
+#include "image/compare.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "expect_error.hpp"
-#include "film/error_image.hpp"
-#include "film/exr.hpp"
+#include "image/error_image.hpp"
+#include "image/exr.hpp"
 #include "temporary_folder.hpp"
 
 namespace nook {

@@ -1,5 +1,5 @@
 // The denoiser on planes made by hand: what it must keep, and what it must take away.
-#include "film/denoise.hpp"
+#include "image/denoise.hpp"
 
 #include <gtest/gtest.h>
 

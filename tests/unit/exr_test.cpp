@@ -1,4 +1,4 @@
-#include "film/exr.hpp"
+#include "image/exr.hpp"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>

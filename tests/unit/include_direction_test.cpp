@@ -22,12 +22,13 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"mesh", {"base", "math", "kernels"}},
     {"bvh", {"base", "math", "mesh", "kernels"}},
     {"device", {"base", "math", "scene", "mesh", "bvh", "kernels"}},
-    {"film", {"base", "math"}},
-    {"render", {"base", "math", "scene", "mesh", "bvh", "device", "film", "kernels"}},
-    {"ssao", {"base", "math", "scene", "mesh", "film"}},  // never device: OpenGL knows nothing of OpenCL
-    {"report", {"base", "math", "scene", "mesh", "bvh", "device", "film", "render", "ssao", "kernels"}},
+    {"image", {"base", "math"}},
+    {"film", {"base", "math", "image"}},
+    {"render", {"base", "math", "scene", "mesh", "bvh", "device", "image", "film", "kernels"}},
+    {"ssao", {"base", "math", "scene", "mesh"}},  // never device: OpenGL knows nothing of OpenCL
+    {"report", {"base", "math", "scene", "mesh", "bvh", "device", "image", "film", "render", "ssao", "kernels"}},
     {"app",
-     {"base", "math", "scene", "mesh", "bvh", "device", "film", "render", "ssao", "report", "kernels"}},
+     {"base", "math", "scene", "mesh", "bvh", "device", "image", "film", "render", "ssao", "report", "kernels"}},
 };
 
 /// One line for each include that a file of `folder` must not have.

@@ -1,4 +1,4 @@
-#include "film/metrics.hpp"
+#include "image/metrics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "film/ssim.hpp"
+#include "image/ssim.hpp"
 
 namespace nook {
 namespace {

@@ -3,7 +3,7 @@
 #include <png.h>
 
 #include "expect_error.hpp"
-#include "film/png.hpp"
+#include "image/png.hpp"
 #include "temporary_folder.hpp"
 
 namespace nook {

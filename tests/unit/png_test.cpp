@@ -1,4 +1,4 @@
-#include "film/png.hpp"
+#include "image/png.hpp"
 
 #include <gtest/gtest.h>
 #include <png.h>
@@ -8,7 +8,7 @@
 
 #include "expect_error.hpp"
 #include "file_size_limit.hpp"
-#include "film/srgb.hpp"
+#include "image/srgb.hpp"
 #include "temporary_folder.hpp"
 
 namespace nook {

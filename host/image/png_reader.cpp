@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "film/png.hpp"
+#include "image/png.hpp"
 
 namespace nook {
 namespace {

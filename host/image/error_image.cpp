@@ -1,11 +1,11 @@
-#include "film/error_image.hpp"
+#include "image/error_image.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "film/exr.hpp"
-#include "film/png.hpp"
+#include "image/exr.hpp"
+#include "image/png.hpp"
 
 namespace nook {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "film/image.hpp"
+#include "image/image.hpp"
 
 namespace nook {
 

@@ -1,4 +1,4 @@
-#include "film/compare.hpp"
+#include "image/compare.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 
-#include "film/exr.hpp"
+#include "image/exr.hpp"
 
 namespace nook {
 

@@ -10,8 +10,8 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "film/exr.hpp"
-#include "film/exr_header.hpp"
+#include "image/exr.hpp"
+#include "image/exr_header.hpp"
 
 namespace nook {
 

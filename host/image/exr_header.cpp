@@ -1,4 +1,4 @@
-#include "film/exr_header.hpp"
+#include "image/exr_header.hpp"
 
 #include <ImfChannelList.h>
 #include <ImfCompression.h>

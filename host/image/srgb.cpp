@@ -1,4 +1,4 @@
-#include "film/srgb.hpp"
+#include "image/srgb.hpp"
 
 #include <array>
 #include <cmath>

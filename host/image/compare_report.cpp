@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "film/compare.hpp"
+#include "image/compare.hpp"
 
 namespace nook {
 

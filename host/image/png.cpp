@@ -1,4 +1,4 @@
-#include "film/png.hpp"
+#include "image/png.hpp"
 
 #include <fmt/format.h>
 #include <png.h>
@@ -10,7 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/pending_file.hpp"
-#include "film/srgb.hpp"
+#include "image/srgb.hpp"
 
 namespace nook {
 

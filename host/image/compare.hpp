@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "film/image.hpp"
-#include "film/metrics.hpp"
+#include "image/image.hpp"
+#include "image/metrics.hpp"
 
 namespace nook {
 

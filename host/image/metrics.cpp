@@ -1,10 +1,10 @@
-#include "film/metrics.hpp"
+#include "image/metrics.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "film/ssim.hpp"
+#include "image/ssim.hpp"
 
 namespace nook {
 

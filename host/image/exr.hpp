@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "film/image.hpp"
+#include "image/image.hpp"
 
 namespace nook {
 

@@ -13,7 +13,7 @@
 
 #include "base/error.hpp"
 #include "base/pending_file.hpp"
-#include "film/exr.hpp"
+#include "image/exr.hpp"
 
 namespace nook {
 

@@ -1,4 +1,4 @@
-#include "film/ssim.hpp"
+#include "image/ssim.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "film/denoise.hpp"
+#include "image/denoise.hpp"
 
 #include <algorithm>
 #include <atomic>
