@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "base/error.hpp"
-#include "film/checkpoint.hpp"
+#include "film/film_part_file.hpp"
 
 namespace nook {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "app/commands.hpp"
 #include "base/error.hpp"
-#include "film/checkpoint.hpp"
+#include "film/film_part_file.hpp"
 #include "image/exr.hpp"
 #include "image/png.hpp"
 #include "render/picture.hpp"

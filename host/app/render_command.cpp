@@ -18,7 +18,7 @@
 #include "base/error.hpp"
 #include "base/libraries.hpp"
 #include "bvh/bvh.hpp"
-#include "film/checkpoint.hpp"
+#include "film/film_part_file.hpp"
 #include "image/exr.hpp"
 #include "image/png.hpp"
 #include "mesh/mesh_analysis.hpp"

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "film/coverage.hpp"
 #include "film/film.hpp"
+#include "film/sample_boxes.hpp"
 #include "image/image.hpp"
 
 namespace nook {

@@ -10,7 +10,7 @@
 #include "base/error.hpp"
 #include "base/version.hpp"
 #include "device/kernel_source.hpp"
-#include "film/checkpoint.hpp"
+#include "film/film_part_file.hpp"
 #include "scene/names.hpp"
 
 namespace nook {
@@ -129,7 +129,7 @@ void Session::resume(FilmPart part, const std::string& file) {
   for (const Film& film : part.films)
     if (film.replicates != expected)
       throw Error(ExitCode::scene, fmt::format("{}: damaged: its sums and its sample ranges disagree", file));
-  held_ = Coverage(part.held);
+  held_ = HeldSamples(part.held);
   samples_held_ = samples_in(held_.boxes());
   part_ = std::move(part);
 }

@@ -101,7 +101,7 @@ class Session {
   Randomisations randomisations_;
   std::vector<std::uint32_t> order_;
   FilmPart part_;
-  Coverage held_;
+  HeldSamples held_;
   std::uint64_t samples_held_ = 0;
 };
 

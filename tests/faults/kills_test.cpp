@@ -6,7 +6,7 @@
 #include <random>
 #include <thread>
 
-#include "film/checkpoint.hpp"
+#include "film/film_part_file.hpp"
 #include "nothing_lost.hpp"
 
 namespace nook::test {

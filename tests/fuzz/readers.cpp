@@ -9,7 +9,7 @@
 
 #include "app/delivery.hpp"
 #include "base/error.hpp"
-#include "film/checkpoint.hpp"
+#include "film/film_part_file.hpp"
 #include "image/exr.hpp"
 #include "mesh/mesh_analysis.hpp"
 #include "mesh/obj_loader.hpp"

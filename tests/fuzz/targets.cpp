@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "base/error.hpp"
-#include "film/checkpoint.hpp"
+#include "film/film_part_file.hpp"
 #include "image/exr.hpp"
 #include "mesh/ply.hpp"
 #include "readers.hpp"

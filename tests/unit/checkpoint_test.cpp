@@ -1,4 +1,4 @@
-#include "film/checkpoint.hpp"
+#include "film/film_part_file.hpp"
 
 #include <gtest/gtest.h>
 

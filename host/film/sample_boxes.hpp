@@ -32,10 +32,10 @@ std::uint64_t samples_in(const SampleBoxes& disjoint);
 
 /// Which samples a film holds. Boxes are added one by one as they are finished, and united now and then, so
 /// that a render's millions of launches cost no memory.
-class Coverage {
+class HeldSamples {
  public:
-  Coverage() = default;
-  explicit Coverage(SampleBoxes disjoint) : boxes_(unite(std::move(disjoint))), united_(boxes_.size()) {}
+  HeldSamples() = default;
+  explicit HeldSamples(SampleBoxes disjoint) : boxes_(unite(std::move(disjoint))), united_(boxes_.size()) {}
   /// The box must be disjoint from what is held.
   void add(const SampleBox& box);
   /// In canonical form.

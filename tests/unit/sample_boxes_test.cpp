@@ -1,4 +1,4 @@
-#include "film/coverage.hpp"
+#include "film/sample_boxes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ void expect_partition(const SampleBoxes& boxes, const std::set<Cell>& cells) {
   EXPECT_EQ(samples_in(boxes), cells.size());
 }
 
-TEST(Coverage, UnionAndDifferenceAreThoseOfTheCells) {
+TEST(SampleBoxes, UnionAndDifferenceAreThoseOfTheCells) {
   std::minstd_rand random(1);
   for (int round = 0; round < 300; ++round) {
     const SampleBoxes a = random_boxes(random, 6), b = random_boxes(random, 4);
@@ -46,7 +46,7 @@ TEST(Coverage, UnionAndDifferenceAreThoseOfTheCells) {
   }
 }
 
-TEST(Coverage, UnionIsCanonical) {
+TEST(SampleBoxes, UnionIsCanonical) {
   std::minstd_rand random(2);
   for (int round = 0; round < 300; ++round) {
     SampleBoxes a = random_boxes(random, 8);
@@ -58,7 +58,7 @@ TEST(Coverage, UnionIsCanonical) {
   EXPECT_EQ(unite({{0, 4, 0, 2}, {4, 8, 0, 2}, {0, 8, 2, 5}}), (SampleBoxes{{0, 8, 0, 5}}));
 }
 
-TEST(Coverage, OverlapIsFoundExactlyWhereThereIsOne) {
+TEST(SampleBoxes, OverlapIsFoundExactlyWhereThereIsOne) {
   std::minstd_rand random(3);
   for (int round = 0; round < 300; ++round) {
     const SampleBoxes a = random_boxes(random, 3);
@@ -69,8 +69,8 @@ TEST(Coverage, OverlapIsFoundExactlyWhereThereIsOne) {
   }
 }
 
-TEST(Coverage, ManyBoxesAreKeptFew) {
-  Coverage coverage;
+TEST(SampleBoxes, ManyBoxesAreKeptFew) {
+  HeldSamples coverage;
   for (std::uint32_t sample = 0; sample < 64; ++sample)
     for (std::uint32_t p = 0; p < 4096; p += 2) coverage.add({p, p + 2, sample, sample + 1});
   EXPECT_EQ(coverage.boxes(), (SampleBoxes{{0, 4096, 0, 64}}));

@@ -1,4 +1,4 @@
-#include "film/coverage.hpp"
+#include "film/sample_boxes.hpp"
 
 #include <algorithm>
 
@@ -111,12 +111,12 @@ std::uint64_t samples_in(const SampleBoxes& disjoint) {
   return sum;
 }
 
-void Coverage::add(const SampleBox& box) {
+void HeldSamples::add(const SampleBox& box) {
   boxes_.push_back(box);
   if (boxes_.size() > 2 * united_ + 65536) boxes();
 }
 
-const SampleBoxes& Coverage::boxes() const {
+const SampleBoxes& HeldSamples::boxes() const {
   if (boxes_.size() != united_) boxes_ = unite(std::move(boxes_));
   united_ = boxes_.size();
   return boxes_;
