@@ -8,17 +8,17 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
-#include "interval.hpp"
-#include "record.hpp"
-#include "render/denoise_picture.hpp"
-#include "render/layers.hpp"
-#include "render/path_tracer.hpp"
-#include "render/picture.hpp"
-#include "render/scene_mesh.hpp"
-#include "render/texture_points.hpp"
-#include "render/tree_options.hpp"
+#include "bench/support/interval.hpp"
+#include "bench/support/record.hpp"
+#include "bench/support/stopwatch.hpp"
+#include "picture/denoise_picture.hpp"
+#include "picture/picture.hpp"
+#include "picture/surface_layers.hpp"
+#include "plan/scene_mesh.hpp"
+#include "plan/tree_options.hpp"
+#include "points/texture_points.hpp"
 #include "scene/scene_toml.hpp"
-#include "stopwatch.hpp"
+#include "trace/occlusion_tracer.hpp"
 
 namespace nook::bench {
 namespace {
@@ -148,7 +148,7 @@ class Run {
   TriangleMesh mesh_;
   Plan plan_;
   Bvh bvh_;
-  PathTracer tracer_;
+  OcclusionTracer tracer_;
   std::vector<std::uint32_t> pixels_;
   TexturePoints texels_;
 };

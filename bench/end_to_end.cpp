@@ -7,11 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
-#include "child.hpp"
+#include "bench/support/child.hpp"
+#include "bench/support/record.hpp"
+#include "bench/support/scene_files.hpp"
 #include "image/exr.hpp"
 #include "image/metrics.hpp"
-#include "record.hpp"
-#include "scene_files.hpp"
 
 namespace nook::bench {
 namespace {

@@ -11,9 +11,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
-#include "child.hpp"
+#include "bench/support/child.hpp"
+#include "bench/support/record.hpp"
 #include "image/exr.hpp"
-#include "record.hpp"
 
 namespace nook::bench {
 namespace {

@@ -3,14 +3,14 @@
 #include <string_view>
 
 #include "base/error.hpp"
-#include "child.hpp"
+#include "bench/ssao/ssao.hpp"
+#include "bench/support/child.hpp"
+#include "bench/support/record.hpp"
 #include "effects.hpp"
 #include "end_to_end.hpp"
 #include "instances.hpp"
 #include "occlusion.hpp"
-#include "record.hpp"
 #include "scaling.hpp"
-#include "ssao.hpp"
 #include "tree.hpp"
 
 int main(int argc, char** argv) {

@@ -1,6 +1,6 @@
 // nook_bench_micro: warps and samplers by themselves, with Google Benchmark. On the device through kernels
 // that run many of them (kernels/micro.cl), on the host as the tests have them: warps from their formulas in
-// double precision, samplers as kernels/sampler.cl compiled as C++.
+// double precision, samplers as kernels/sample/sampler.cl compiled as C++.
 #include <benchmark/benchmark.h>
 
 #include "base/embedded_file.hpp"

@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
-#include "embree_occlusion.hpp"
-#include "kernel_runner.hpp"
-#include "record.hpp"
-#include "render/tree_options.hpp"
-#include "stopwatch.hpp"
+#include "bench/embree/embree_occlusion.hpp"
+#include "bench/support/kernel_runner.hpp"
+#include "bench/support/record.hpp"
+#include "bench/support/stopwatch.hpp"
+#include "plan/tree_options.hpp"
 
 namespace nook::bench {
 namespace {

@@ -61,7 +61,7 @@ if wanted micro && [ -x "$build/bin/nook_bench_micro" ]; then
     --benchmark_min_time=0.1 --benchmark_out="$results/micro.json" --benchmark_out_format=json
 fi
 if [ "$results" = "$here/results" ]; then
-  "${PYTHON:-/usr/bin/python3}" "$here/plots.py"
+  "${PYTHON:-/usr/bin/python3}" "$here/charts/plots.py"
 else
-  "${PYTHON:-/usr/bin/python3}" "$here/plots.py" "$results"
+  "${PYTHON:-/usr/bin/python3}" "$here/charts/plots.py" "$results"
 fi

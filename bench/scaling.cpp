@@ -13,15 +13,15 @@
 
 #include "base/embedded_file.hpp"
 #include "base/error.hpp"
+#include "bench/support/child.hpp"
+#include "bench/support/record.hpp"
+#include "bench/support/scene_files.hpp"
+#include "bench/support/stopwatch.hpp"
 #include "bvh/bvh.hpp"
-#include "child.hpp"
 #include "device/kernel_source.hpp"
 #include "mesh/ply.hpp"
-#include "record.hpp"
-#include "render/path_tracer.hpp"
-#include "render/tree_options.hpp"
-#include "scene_files.hpp"
-#include "stopwatch.hpp"
+#include "plan/tree_options.hpp"
+#include "trace/occlusion_tracer.hpp"
 
 namespace nook::bench {
 
@@ -146,7 +146,7 @@ struct Option {
   double most_difference = 1;  ///< of the picture's mean from the base's, relative
 };
 
-/// kernels/occlusion.cl with the triangle test of kernels/moller_trumbore.cl.
+/// bench/kernels/occlusion.cl with the triangle test of kernels/moller_trumbore.cl.
 std::string not_watertight(std::string source) {
   const auto replace = [&](const std::string& find, const std::string& by) {
     const std::size_t at = source.find(find);
@@ -209,7 +209,7 @@ void add_normals(TriangleMesh& mesh) {
 /// One option, ready to run.
 struct Candidate {
   Plan plan;
-  std::unique_ptr<PathTracer> tracer;
+  std::unique_ptr<OcclusionTracer> tracer;
   std::vector<double> seconds, ratios;
   double sum = 0;  ///< of the picture
 
@@ -248,7 +248,7 @@ void run_options(const Settings& s) {
     made.plan = make_plan(changed, mesh);
     const auto source = [&](const std::string& file) { return option.kernels(kernel_source(file)); };
     const Bvh& tree = option.other_width ? other : option.refined ? refined : bvh;
-    made.tracer = std::make_unique<PathTracer>(device, made.plan, mesh, tree, source, option.traversal);
+    made.tracer = std::make_unique<OcclusionTracer>(device, made.plan, mesh, tree, source, option.traversal);
   }
   const std::vector<std::uint32_t> pixels = pixels_in_order(candidates[0].plan.window, scene.width);
   for (Candidate& c : candidates) c.run(pixels);  // compiles, and touches memory

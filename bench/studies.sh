@@ -18,4 +18,4 @@ for study in cbox_ao_cosine:70 cbox_ro:60 spaceship_ao_cosine:60 room_ao:100; do
   kept="$kept bench/studies/$name/study.json"
 done
 # shellcheck disable=SC2086
-/usr/bin/python3 bench/study_chart.py docs/images/what_accuracy_costs.png $kept
+/usr/bin/python3 bench/charts/study_chart.py docs/images/what_accuracy_costs.png $kept

@@ -5,11 +5,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "bench_scene.hpp"
+#include "bench/embree/embree_scene.hpp"
+#include "bench/support/bench_scene.hpp"
+#include "bench/support/record.hpp"
+#include "bench/support/stopwatch.hpp"
 #include "bvh/bvh.hpp"
-#include "embree_scene.hpp"
-#include "record.hpp"
-#include "stopwatch.hpp"
 
 namespace nook::bench {
 namespace {

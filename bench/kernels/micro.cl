@@ -1,7 +1,7 @@
 // The warps and samplers by themselves: each work-item evaluates one of them `repeats` times and keeps the sum, so that
 // nothing is left out and memory plays no part. MICRO_WARP, the order of nook::Warp, and SAMPLER choose.
-#include "sampler.cl"
-#include "warp.cl"
+#include "sample/sampler.cl"
+#include "sample/warp.cl"
 
 #ifndef MICRO_WARP
 #define MICRO_WARP 3

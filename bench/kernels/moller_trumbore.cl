@@ -1,6 +1,6 @@
-#include "stream_tests.cl"
+#include "trace/stream_tests.cl"
 
-// A triangle test that is not watertight, to be measured in place of leaf_occludes() (kernels/stream_tests.cl): Möller and Trumbore
+// A triangle test that is not watertight, to be measured in place of leaf_occludes() (kernels/trace/stream_tests.cl): Möller and Trumbore
 // 1997, "Fast, Minimum Storage Ray-Triangle Intersection". o + t d = p0 + u (p1 - p0) + v (p2 - p0); multiplied by det instead of divided.
 // -1 in the lanes of triangles that ray k meets at 0 < t < limit, else 0.
 INLINE leaf_int leaf_occludes_loosely(TREE_LEAF* leaf, const RayDirections* o, const RayDirections* d, uint k, float limit) {

@@ -1,5 +1,5 @@
-// The benchmark's rays (bench/rays.hpp) through the renderer's traversal.
-#include "traverse.cl"
+// The benchmark's rays (bench/support/rays.hpp) through the renderer's traversal.
+#include "trace/traverse.cl"
 
 #pragma OPENCL FP_CONTRACT OFF
 

@@ -21,7 +21,7 @@ std::vector<T> vectors(const std::vector<float>& values) {
 
 }  // namespace
 
-Warps::Warps(const Device& device) : Warps(device, kernel_source("warps.cl")) {}
+Warps::Warps(const Device& device) : Warps(device, kernel_source("sample/warps.cl")) {}
 
 Warps::Warps(const Device& device, const std::string& source)
     : device_(device), program_(build_program(device, source, BuildOptions())) {}

@@ -9,7 +9,7 @@
 
 namespace nook {
 
-/// The maps of kernels/warp.cl from the unit square to directions about +z (or to the unit disk).
+/// The maps of kernels/sample/warp.cl from the unit square to directions about +z (or to the unit disk).
 enum class Warp { disk, sphere, hemisphere, cosine_hemisphere, cosine_power };
 
 /// Runs the renderer's own warps on arrays, for whoever wants their distributions without a picture.
@@ -23,7 +23,7 @@ class Warps {
  public:
   /// `device` must outlive this.
   explicit Warps(const Device& device);
-  /// The same from other (flattened) source with the entry points of kernels/warps.cl.
+  /// The same from other (flattened) source with the entry points of kernels/sample/warps.cl.
   Warps(const Device& device, const std::string& source);
 
   /// u in [0,1)²: unit vectors; for the disk (x, y, 0).

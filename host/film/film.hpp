@@ -24,7 +24,7 @@ struct Film {
   /// What an effect sums besides, a plane each: for bent normals x, y and z of Σ w V ω in the fixed point of
   /// `sum`, two's complement.
   std::vector<std::vector<std::uint64_t>> extra;
-  /// What a stop rule remembers of each pixel, a plane each (render/session.hpp, render/pixel_rule.hpp); not
+  /// What a stop rule remembers of each pixel, a plane each (trace/session.hpp, adaptive/pixel_rule.hpp); not
   /// sums: films with such planes are not added.
   std::vector<std::vector<std::uint64_t>> kept;
 

@@ -6,12 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "adaptive/error_record.hpp"
 #include "device/device.hpp"
 #include "film/film_part.hpp"
-#include "mesh/triangle_mesh.hpp"
-#include "render/path_tracer.hpp"
-#include "render/plan.hpp"
-#include "ssao/ssao.hpp"
+#include "picture/ssao_layers.hpp"
+#include "plan/plan.hpp"
 
 namespace nook {
 
@@ -19,24 +18,6 @@ namespace nook {
 struct RunSeconds {
   double load = 0, bvh = 0, compile = 0, render = 0, write = 0, total = 0;
   double before_first_ray = 0;  ///< of the total: until the first kernel is launched
-};
-
-/// A screen-space effect of a run: what was drawn, and the fastest time of each pass over its frames.
-struct SsaoRecord {
-  SsaoSettings settings;
-  SsaoPlan plan;
-  unsigned frames = 1;
-  std::vector<SsaoTiming> passes;
-  double seconds_per_frame = 0;  ///< of the fastest frame
-};
-
-/// What a stop rule was asked for, and what it reached: standard errors of pixels.
-struct ErrorRecord {
-  double asked = 0;  ///< 0: no error was asked for, only a time
-  double confidence = 0;
-  double reached = 0;  ///< root mean square over the pixels that see the mesh
-  double worst = 0;
-  double share_done = 0;  ///< of the pixels
 };
 
 /// What a run did: the EXR's metadata and `--stats`.

@@ -3,10 +3,10 @@
 #include <chrono>
 #include <numeric>
 
-#include "render/denoise_picture.hpp"
-#include "render/path_tracer.hpp"
+#include "picture/denoise_picture.hpp"
 #include "report/study_methods.hpp"
 #include "scene/names.hpp"
+#include "trace/occlusion_tracer.hpp"
 
 namespace nook {
 namespace {
@@ -31,14 +31,14 @@ StudyMethod StudyScene::denoised(std::uint32_t max_spp) const {
   for (std::uint32_t spp = 4; spp <= std::min(max_spp, 256u); spp *= 4) method.levels.push_back(spp);
   struct Prepared {
     Plan plan;
-    std::unique_ptr<PathTracer> tracer;
+    std::unique_ptr<OcclusionTracer> tracer;
   };
   const auto program = std::make_shared<Prepared>(Prepared{plan_with(sampling, Sampler::sobol, 1), nullptr});
   program->plan.effects.resize(1);
   method.render = [this, program](double level, std::uint32_t seed) {
     Plan& plan = program->plan;
-    if (!program->tracer) program->tracer = std::make_unique<PathTracer>(device_, plan, mesh_, bvh_);
-    PathTracer& tracer = *program->tracer;
+    if (!program->tracer) program->tracer = std::make_unique<OcclusionTracer>(device_, plan, mesh_, bvh_);
+    OcclusionTracer& tracer = *program->tracer;
     const auto spp = std::uint32_t(level);
     const RenderCounters before = tracer.counters();
     std::vector<std::uint32_t> rows(std::size_t(plan.width) * std::size_t(plan.height));

@@ -6,11 +6,11 @@
 #include <chrono>
 #include <cmath>
 
+#include "adaptive/adaptive.hpp"
 #include "base/error.hpp"
-#include "render/adaptive.hpp"
-#include "render/path_tracer.hpp"
 #include "scene/names.hpp"
 #include "ssao/ssao.hpp"
+#include "trace/occlusion_tracer.hpp"
 
 namespace nook {
 namespace {
@@ -59,12 +59,12 @@ Scene studied(const Scene& scene, int width, int height) {
 // need not build what it does not use.
 struct StudyScene::Program {
   Plan plan;
-  std::unique_ptr<PathTracer> tracer;
+  std::unique_ptr<OcclusionTracer> tracer;
   std::vector<std::uint32_t> order;
 
-  PathTracer& get(const StudyScene& scene) {
+  OcclusionTracer& get(const StudyScene& scene) {
     if (!tracer) {
-      tracer = std::make_unique<PathTracer>(scene.device_, plan, scene.mesh_, scene.bvh_);
+      tracer = std::make_unique<OcclusionTracer>(scene.device_, plan, scene.mesh_, scene.bvh_);
       order = pixels_in_order(plan.window, plan.width);
       std::vector<Film> warm = tracer->make_films();  // the first launch loads the program's code
       tracer->accumulate(std::span(order).first(1), {0, 1}, warm);
@@ -102,7 +102,7 @@ StudyMethod StudyScene::path_traced(Sampling sampling, Sampler sampler, std::uin
     method.levels.push_back(spp);
   const auto program = std::make_shared<Program>(Program{plan_with(sampling, sampler, directions), {}, {}});
   method.render = [this, program](double level, std::uint32_t seed) {
-    PathTracer& tracer = program->get(*this);
+    OcclusionTracer& tracer = program->get(*this);
     const std::vector<std::uint32_t>& order = program->order;
     const auto spp = std::uint32_t(level);
     const RenderCounters before = tracer.counters();
@@ -140,7 +140,7 @@ StudyMethod StudyScene::adaptive(Sampler sampler) const {
       AdaptiveRender::plan_for(plan_with(sampling, sampler, 1), {.error = method.levels.back()});
   const auto program = std::make_shared<Program>(Program{plan, {}, {}});
   method.render = [this, program](double level, std::uint32_t seed) {
-    PathTracer& tracer = program->get(*this);
+    OcclusionTracer& tracer = program->get(*this);
     const RenderCounters before = tracer.counters();
     const Clock::time_point start = Clock::now();
     Plan seeded = program->plan;
@@ -230,7 +230,7 @@ StudyReference StudyScene::reference(double seconds) const {
   const Sampling sampling =
       plan_.effects.front().effect.kind == EffectKind::ro ? Sampling::lobe : Sampling::cosine;
   const Plan plan = plan_with(sampling, Sampler::halton, 1);
-  PathTracer tracer(device_, plan, mesh_, bvh_);
+  OcclusionTracer tracer(device_, plan, mesh_, bvh_);
   const std::vector<std::uint32_t> order = pixels_in_order(plan.window, plan.width);
   std::vector<std::vector<Film>> scrambles;
   for (std::uint32_t r = 0; r < reference_scrambles; ++r) scrambles.push_back(tracer.make_films());

@@ -6,7 +6,7 @@
 #include "bvh/bvh.hpp"
 #include "device/device.hpp"
 #include "mesh/triangle_mesh.hpp"
-#include "render/plan.hpp"
+#include "plan/plan.hpp"
 #include "report/study.hpp"
 #include "scene/scene.hpp"
 

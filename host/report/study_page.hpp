@@ -16,7 +16,8 @@ struct WarpPattern {
   std::vector<vec3> points;
 };
 
-/// 256 points of Sobol's sequence through the warps of kernels/warp.cl; the lobe with the scene's exponent.
+/// 256 points of Sobol's sequence through the warps of kernels/sample/warp.cl; the lobe with the scene's
+/// exponent.
 std::vector<WarpPattern> warp_patterns(const Device& device, float exponent);
 
 struct Gallery {

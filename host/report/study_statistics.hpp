@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "render/quantiles.hpp"
+#include "adaptive/quantiles.hpp"
 
 namespace nook {
 

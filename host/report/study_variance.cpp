@@ -1,9 +1,9 @@
 // What one independent sample's variance should be, from moments of V that another distribution measured.
 #include <optional>
 
-#include "render/path_tracer.hpp"
 #include "report/study_methods.hpp"
 #include "scene/names.hpp"
+#include "trace/occlusion_tracer.hpp"
 
 namespace nook {
 namespace {
@@ -21,7 +21,7 @@ StudyScene::Moments StudyScene::moments(Sampling sampling, float exponent) const
   Plan plan = make_plan(scene, mesh_);
   plan.spp = moments_spp;
   plan.seed = moments_seed;
-  PathTracer tracer(device_, plan, mesh_, bvh_);
+  OcclusionTracer tracer(device_, plan, mesh_, bvh_);
   std::vector<Film> films = tracer.make_films();
   tracer.accumulate(pixels_in_order(plan.window, plan.width), {0, plan.spp}, films);
   const Film& film = films.front();
@@ -36,8 +36,8 @@ StudyScene::Moments StudyScene::moments(Sampling sampling, float exponent) const
 }
 
 // With V 0 or 1, a sample w V has the second moment E[w² V], and all of them are integrals of V over powers
-// of cosines. AO: kernels/ambient.cl, M = E[V cos θ] = half of a hemisphere sample's second moment. RO with
-// exponent n, mirror direction r: let
+// of cosines. AO: kernels/effect/ambient.cl, M = E[V cos θ] = half of a hemisphere sample's second moment. RO
+// with exponent n, mirror direction r: let
 //   S_m = 1/2π ∫ (r·ω)^m (N·ω)² V dω,
 // then a lobe sample's second moment is (n+2)²/(n+1) S_n; those of samples that know nothing of the lobe are
 // those of a lobe twice as narrow: cosine (n+2)²/(4(n+1)) RO_2n, hemisphere (n+2)² S_2n, sphere 2 (n+2)²

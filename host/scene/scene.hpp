@@ -38,10 +38,10 @@ struct DistanceLimit {
 enum class EffectKind { ao, ro, ssao, normal, position, depth, bent };
 /// The distribution that directions are drawn from. `lobe` and `mixture` are for RO alone.
 enum class Sampling { cosine, hemisphere, sphere, lobe, mixture };
-/// The point sequence; see kernels/sampler.cl.
+/// The point sequence; see kernels/sample/sampler.cl.
 enum class Sampler { independent, stratified, halton, sobol, zorder };
 
-/// How an occluder's distance counts; see kernels/visibility.cl.
+/// How an occluder's distance counts; see kernels/effect/visibility.cl.
 enum class Falloff { none, linear, smooth, exponential };
 /// The side of the surface that occlusion looks to: the shading normal's, the other, or the viewer's.
 enum class Side { normal, inside, viewer };
@@ -82,6 +82,11 @@ inline bool is_traced(EffectKind kind) {
   return kind == EffectKind::ao || kind == EffectKind::ro || kind == EffectKind::bent;
 }
 
+/// What the camera sees, without occlusion: normal, position, depth.
+inline bool is_surface(EffectKind kind) {
+  return kind == EffectKind::normal || kind == EffectKind::position || kind == EffectKind::depth;
+}
+
 /// A copy of a mesh file: p -> translate + Rz Ry Rx scale p.
 struct Instance {
   std::filesystem::path mesh_file;
@@ -91,7 +96,7 @@ struct Instance {
 };
 
 /// How the instances are kept: as copies of their meshes' triangles, or as a tree for each mesh and one over
-/// the places; the same picture. Automatic: see render/scene_mesh.hpp.
+/// the places; the same picture. Automatic: see plan/scene_mesh.hpp.
 enum class Instancing { automatic, copies, tree };
 
 /// A large square below everything.
@@ -111,7 +116,7 @@ struct StopTarget {
   bool any() const { return error || seconds; }
 };
 
-/// What a scene file says, checked and complete; nothing is derived yet (see render/plan.hpp).
+/// What a scene file says, checked and complete; nothing is derived yet (see plan/plan.hpp).
 struct Scene {
   std::filesystem::path file;       ///< as the user named it; for messages
   std::filesystem::path mesh_file;  ///< resolved against the scene file's folder

@@ -3,10 +3,10 @@
 
 #include "app/commands.hpp"
 #include "app/progress.hpp"
-#include "app/render_options.hpp"
+#include "app/options/render_options.hpp"
 #include "base/error.hpp"
 #include "readers.hpp"
-#include "render/picture.hpp"
+#include "picture/picture.hpp"
 #include "temporary_folder.hpp"
 
 namespace nook::fuzz {

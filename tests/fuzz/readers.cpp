@@ -7,15 +7,15 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "app/delivery.hpp"
+#include "app/commands/delivery.hpp"
 #include "base/error.hpp"
 #include "film/film_part_file.hpp"
 #include "image/exr.hpp"
 #include "mesh/mesh_analysis.hpp"
 #include "mesh/obj_loader.hpp"
 #include "mesh/ply.hpp"
-#include "render/picture.hpp"
-#include "render/points.hpp"
+#include "picture/picture.hpp"
+#include "points/points.hpp"
 #include "report/study_file.hpp"
 #include "scene/scene_toml.hpp"
 #include "temporary_folder.hpp"

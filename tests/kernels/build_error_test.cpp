@@ -12,7 +12,7 @@ namespace nook::test {
 namespace {
 
 TEST(BuildError, NamesTheKernelsFileAndLine) {
-  const std::string source = kernel_source("occlusion.cl");
+  const std::string source = kernel_source("stage/occlusion.cl");
   const std::string warp = "float3 square_to_cosine_hemisphere(float2 u) {";
   const std::string broken = mutate(source, warp, warp + " return undeclared;");
   // The line that the mutant is in, counted in its own file: after the last #line marker.
@@ -28,7 +28,7 @@ TEST(BuildError, NamesTheKernelsFileAndLine) {
   } catch (const Error& error) {
     const std::string message = error.what();
     EXPECT_EQ(error.code(), ExitCode::device);
-    EXPECT_NE(message.find("kernels/warp.cl:" + std::to_string(line)), std::string::npos) << message;
+    EXPECT_NE(message.find("kernels/sample/warp.cl:" + std::to_string(line)), std::string::npos) << message;
     EXPECT_NE(message.find("undeclared"), std::string::npos) << message;
     EXPECT_NE(message.find("CL_BUILD_PROGRAM_FAILURE"), std::string::npos) << message;
   }

@@ -1,9 +1,9 @@
 // The product's samplers, warps and estimators against shapes whose visibility is a formula: no mesh, no tree. What is
 // left to go wrong is what ambient.cl and reflection.cl do.
-#include "ambient.cl"
+#include "effect/ambient.cl"
 #include "config.h"
-#include "reflection.cl"
-#include "sampler.cl"
+#include "effect/reflection.cl"
+#include "sample/sampler.cl"
 
 // The order of nook::test::Shape.
 #define SHAPE_OPEN 0u

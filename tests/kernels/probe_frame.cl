@@ -1,5 +1,5 @@
 // frame_about at given normals, and a vector there and back.
-#include "frame.cl"
+#include "sample/frame.cl"
 
 // out: tangent, bitangent, normal, to_world(v), to_local(to_world(v)); 15 floats for each normal.
 __kernel void frame_at(__global const float* normals, __global const float* vectors, __global float* out) {

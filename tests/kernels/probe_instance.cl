@@ -1,5 +1,5 @@
 // Placed vertices and normals as the kernels compute them.
-#include "triangle.cl"
+#include "trace/triangle.cl"
 
 #if INSTANCES
 __kernel void place(__global const PlacedMesh* instances, __global const float* points, __global const float* normals,

@@ -1,5 +1,5 @@
 // Masks of a node's lanes: as they are kept while rays are tested, and as lists.
-#include "traverse.cl"
+#include "trace/traverse.cl"
 
 #define ROOM 48u
 

@@ -1,5 +1,5 @@
 // The points of sampler.cl as the device draws them.
-#include "sampler.cl"
+#include "sample/sampler.cl"
 
 // Work-item i is one direction: i = (pixel * total_samples + sample) * total_directions + direction, pixels counted from
 // first_pixel. directions[i] is its point, drawn together with the 15 beside it, positions[pixel * total_samples + sample] that of its

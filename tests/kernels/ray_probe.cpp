@@ -7,7 +7,7 @@ namespace nook::testing {
 namespace {
 
 const char* const source = R"(
-#include "traverse.cl"
+#include "trace/traverse.cl"
 
 float3 load_direction(__global const float* stream, uint k) {
   return (float3)(stream[3 + 3 * k], stream[4 + 3 * k], stream[5 + 3 * k]);

@@ -1,4 +1,4 @@
-// The warps of kernels/warp.cl on the device, against double-precision distributions written in other
+// The warps of kernels/sample/warp.cl on the device, against double-precision distributions written in other
 // coordinates.
 #include <gtest/gtest.h>
 
@@ -209,13 +209,13 @@ TEST(WarpMutants, AreRejected) {
        "return major * major;",
        {Warp::disk, 0, "disk"}}};
   for (const Mutation& m : mutations) {
-    Warps mutant(device(), mutate(kernel_source("warps.cl"), m.find, m.replace));
+    Warps mutant(device(), mutate(kernel_source("sample/warps.cl"), m.find, m.replace));
     EXPECT_LT(fit_to_oracle(mutant, m.judged, 1 << 18, 20260102).smallest(), 1e-6) << m.name << " survived";
     EXPECT_GT(fit_to_oracle(product_warps(), m.judged, 1 << 18, 20260102).smallest(), 1e-4) << m.judged.name;
   }
   // The density's own mutant: an exponent off by one no longer integrates to 1.
   Warps mutant(device(),
-               mutate(kernel_source("warps.cl"), "INV_PI * (exponent + 1.0f)", "INV_PI * (exponent + 2.0f)"));
+               mutate(kernel_source("sample/warps.cl"), "INV_PI * (exponent + 1.0f)", "INV_PI * (exponent + 2.0f)"));
   vec3 pole(0, 0, 1);
   EXPECT_GT(
       mutant.pdf(Warp::cosine_power, {&pole, 1}, 10)[0] / oracle_pdf(Warp::cosine_power, dvec3(pole), 10),

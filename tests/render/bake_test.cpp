@@ -7,7 +7,7 @@
 
 #include "mesh/ply.hpp"
 #include "nook_program.hpp"
-#include "render/vertex_points.hpp"
+#include "points/vertex_points.hpp"
 
 namespace nook::test {
 namespace {

@@ -9,7 +9,7 @@
 #include "expect_error.hpp"
 #include "mesh/obj_loader.hpp"
 #include "nook_program.hpp"
-#include "render/texture_points.hpp"
+#include "points/texture_points.hpp"
 
 namespace nook::test {
 namespace {

@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "effects_geometry.hpp"
 #include "nook_program.hpp"
-#include "render/scene_mesh.hpp"
+#include "plan/scene_mesh.hpp"
 #include "scene/scene_toml.hpp"
 
 namespace nook::test {
@@ -74,7 +74,7 @@ std::string portable_source(const std::string& file) {
 
 // A picture by AO and by closest hits, and the triangle under each pixel.
 Traced trace(const TriangleMesh& mesh, Traversal traversal,
-             const PathTracer::KernelSource& source = kernel_source) {
+             const OcclusionTracer::KernelSource& source = kernel_source) {
   Scene scene;
   scene.camera = {{0.3f, 0.2f, 6}, {0, 0, 0}, {0, 1, 0}, 40};
   scene.width = 40;
@@ -85,7 +85,7 @@ Traced trace(const TriangleMesh& mesh, Traversal traversal,
   scene.effects[1].falloff = Falloff::smooth;
   const Plan plan = make_plan(scene, mesh);
   const Bvh bvh = build_bvh(mesh);
-  PathTracer tracer(device(), plan, mesh, bvh, source, traversal);
+  OcclusionTracer tracer(device(), plan, mesh, bvh, source, traversal);
   const auto pixels = pixels_in_order(plan.window, plan.width);
   std::vector<Film> films = tracer.make_films();
   tracer.accumulate(pixels, {0, scene.spp}, films);

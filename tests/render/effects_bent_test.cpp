@@ -68,7 +68,7 @@ TEST(BentNormal, SplitRunsHaveTheSameBits) {
   scene.effects[1].view_space = true;
   const Plan plan = make_plan(scene, mesh);
   const Bvh bvh = build_bvh(mesh);
-  PathTracer tracer(device(), plan, mesh, bvh);
+  OcclusionTracer tracer(device(), plan, mesh, bvh);
   const auto pixels = pixels_in_order(plan.window, plan.width);
   std::vector<Film> whole = tracer.make_films(), split = tracer.make_films();
   tracer.accumulate(pixels, {0, 8}, whole);

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "bvh/bvh.hpp"
-#include "render/path_tracer.hpp"
-#include "render/points.hpp"
+#include "trace/occlusion_tracer.hpp"
+#include "points/points.hpp"
 #include "ssao_scenes.hpp"
 #include "support/kernels.hpp"
 
@@ -27,7 +27,7 @@ inline Film estimate_at_origin(const TriangleMesh& mesh, const Effect& effect,
   scene.sampler = Sampler::independent;
   const Plan plan = make_plan(scene, mesh);
   const Bvh bvh = build_bvh(mesh);
-  PathTracer tracer(device(), plan, mesh, bvh);
+  OcclusionTracer tracer(device(), plan, mesh, bvh);
   const SurfacePoint point = surface_point({0, 0, 0}, {0, 0, 1}, {0, 0, 1}, mesh.bounds);
   return tracer.estimate_points({&point, 1}, 0, directions);
 }

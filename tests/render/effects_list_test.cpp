@@ -173,7 +173,7 @@ TEST(Effects, PlanOpensNoDevice) {
   const ProgramResult said = run_nook(folder, "plan '" + scene.string() + "'");
   EXPECT_EQ(said.exit_code, 0);
   for (const char* part :
-       {"Layers", "Passes", "occlusion.cl", "-DEFFECT=0", "tree nodes", "Left out", "at most 6 912 rays"})
+       {"Layers", "Passes", "stage/occlusion.cl", "-DEFFECT=0", "tree nodes", "Left out", "at most 6 912 rays"})
     EXPECT_NE(said.out.find(part), std::string::npos) << part << "\n" << said.out;
 }
 

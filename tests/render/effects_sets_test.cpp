@@ -7,10 +7,10 @@
 #include "expect_error.hpp"
 #include "mesh/obj_loader.hpp"
 #include "nook_program.hpp"
-#include "render/path_tracer.hpp"
-#include "render/points.hpp"
-#include "render/scene_mesh.hpp"
-#include "render/vertex_points.hpp"
+#include "trace/occlusion_tracer.hpp"
+#include "points/points.hpp"
+#include "plan/scene_mesh.hpp"
+#include "points/vertex_points.hpp"
 #include "scene/scene_toml.hpp"
 #include "support/kernels.hpp"
 
@@ -52,7 +52,7 @@ Film film_of(const TriangleMesh& mesh, const Effect& effect, const std::vector<S
   scene.directions = directions;
   const Plan plan = make_plan(scene, mesh);
   const Bvh bvh = build_bvh(mesh);
-  PathTracer tracer(device(), plan, mesh, bvh, kernel_source, traversal);
+  OcclusionTracer tracer(device(), plan, mesh, bvh, kernel_source, traversal);
   Film film = tracer.estimate_points(points, 0, directions);
   if (counters) *counters = tracer.counters();
   return film;

@@ -114,7 +114,7 @@ TEST(EffectSettings, InsideOfASlabUnderTheCamera) {
   scene.effects[0].side = Side::inside;
   const Plan plan = make_plan(scene, slab);
   const Bvh bvh = build_bvh(slab);
-  PathTracer tracer(device(), plan, slab, bvh);
+  OcclusionTracer tracer(device(), plan, slab, bvh);
   std::vector<Film> films = tracer.make_films();
   tracer.accumulate(pixels_in_order(plan.window, plan.width), {0, scene.spp}, films);
   double mean = 0;
@@ -149,7 +149,7 @@ TEST(EffectSettings, ViewersSide) {
   scene.effects[1].side = Side::viewer;
   const Plan plan = make_plan(scene, mesh);
   const Bvh bvh = build_bvh(mesh);
-  PathTracer tracer(device(), plan, mesh, bvh);
+  OcclusionTracer tracer(device(), plan, mesh, bvh);
   std::vector<Film> films = tracer.make_films();
   tracer.accumulate(pixels_in_order(plan.window, plan.width), {0, scene.spp}, films);
   double mean = 0;

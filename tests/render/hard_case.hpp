@@ -8,8 +8,8 @@
 #include "bvh/bvh.hpp"
 #include "device/kernel_source.hpp"
 #include "hard_meshes.hpp"
-#include "render/path_tracer.hpp"
-#include "render/points.hpp"
+#include "trace/occlusion_tracer.hpp"
+#include "points/points.hpp"
 #include "support/kernels.hpp"
 
 namespace nook::test {
@@ -31,12 +31,12 @@ class Case {
     scene.effects[0].sampling = Sampling::lobe;
     scene.effects[0].exponent = exponent;
   }
-  PathTracer tracer(Traversal traversal, const PathTracer::KernelSource& source = kernel_source) const {
-    return PathTracer(device(), make_plan(scene, mesh_), mesh_, bvh_, source, traversal);
+  OcclusionTracer tracer(Traversal traversal, const OcclusionTracer::KernelSource& source = kernel_source) const {
+    return OcclusionTracer(device(), make_plan(scene, mesh_), mesh_, bvh_, source, traversal);
   }
-  Film render(Traversal traversal, const PathTracer::KernelSource& source = kernel_source) const {
+  Film render(Traversal traversal, const OcclusionTracer::KernelSource& source = kernel_source) const {
     const Plan plan = make_plan(scene, mesh_);
-    PathTracer whole = tracer(traversal, source);
+    OcclusionTracer whole = tracer(traversal, source);
     std::vector<Film> films = whole.make_films();
     whole.accumulate(pixels_in_order(plan.window, plan.width), {0, plan.samples_per_pixel()}, films);
     EXPECT_EQ(whole.counters().rejected, 0u);
@@ -46,7 +46,7 @@ class Case {
              std::uint64_t rejected = 0) const {
     Scene at_points = scene;
     at_points.spp = 1;
-    PathTracer probes(device(), make_plan(at_points, mesh_), mesh_, bvh_, kernel_source, traversal);
+    OcclusionTracer probes(device(), make_plan(at_points, mesh_), mesh_, bvh_, kernel_source, traversal);
     Film film = probes.estimate_points(points, 0, directions);
     EXPECT_EQ(probes.counters().rejected, rejected);
     return film;

@@ -74,7 +74,7 @@ TEST_P(HardViews, NonFinitePointsAreCountedAndKeptOut) {
 // by the kernels in place of their random numbers: in a closed box no direction is open, above a floor no ray
 // of AO is blocked, and every weight is finite.
 TEST_P(HardViews, EndsOfTheSquare) {
-  const PathTracer::KernelSource ends = [](const std::string& file) {
+  const OcclusionTracer::KernelSource ends = [](const std::string& file) {
     return mutate(kernel_source(file),
                   "      ux[k] = uint_to_unit_float(h.x);\n"
                   "      uy[k] = uint_to_unit_float(h.y);\n",

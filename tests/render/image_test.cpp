@@ -113,25 +113,25 @@ TEST(ImageMutants, AreRejected) {
     std::string file, find, replace;
   };
   const Mutation mutations[] = {
-      {"rays start 1e-2 off the surface", EffectKind::ao, Sampling::cosine, "primary.cl",
+      {"rays start 1e-2 off the surface", EffectKind::ao, Sampling::cosine, "stage/primary.cl",
        "9.536743e-7f * greater(greater(", "1e-2f * greater(greater("},
-      {"flipped normal", EffectKind::ao, Sampling::cosine, "primary.cl", "store3(out->normal, ray_direction(",
+      {"flipped normal", EffectKind::ao, Sampling::cosine, "stage/primary.cl", "store3(out->normal, ray_direction(",
        "store3(out->normal, -ray_direction("},
-      {"limit ignored", EffectKind::ao, Sampling::cosine, "occlusion.cl",
+      {"limit ignored", EffectKind::ao, Sampling::cosine, "stage/occlusion.cl",
        "p->max_distance - p->min_distance : p->max_distance;",
        "p->max_distance - p->min_distance : INFINITY;"},
-      {"uniform directions weighted as cosine", EffectKind::ao, Sampling::cosine, "occlusion.cl",
+      {"uniform directions weighted as cosine", EffectKind::ao, Sampling::cosine, "stage/occlusion.cl",
        "in_frame = square_to_cosine_hemisphere(u);\n    weight",
        "in_frame = square_to_hemisphere(u);\n    weight"},
       // |cos| for max(0, cos) is no defect that a picture of closed surfaces shows: directions under the
       // horizon end in the surface itself. Points without a surface show it (statistics/mutant_test.cpp).
-      {"sphere weighted as hemisphere", EffectKind::ao, Sampling::sphere, "occlusion.cl",
+      {"sphere weighted as hemisphere", EffectKind::ao, Sampling::sphere, "stage/occlusion.cl",
        "4.0f * fmax(0.0f, in_frame.z)", "2.0f * fmax(0.0f, in_frame.z)"},
-      {"no foreshortening", EffectKind::ro, Sampling::lobe, "occlusion.cl",
+      {"no foreshortening", EffectKind::ro, Sampling::lobe, "stage/occlusion.cl",
        "(exponent + 2.0f) / (exponent + 1.0f) * cosine", "(exponent + 2.0f) / (exponent + 1.0f)"},
-      {"lobe about the view", EffectKind::ro, Sampling::lobe, "occlusion.cl",
+      {"lobe about the view", EffectKind::ro, Sampling::lobe, "stage/occlusion.cl",
        "mirror_direction(normal, view)", "view"},
-      {"brighter by 1 %", EffectKind::ro, Sampling::lobe, "occlusion.cl",
+      {"brighter by 1 %", EffectKind::ro, Sampling::lobe, "stage/occlusion.cl",
        "(exponent + 2.0f) / (exponent + 1.0f) * cosine",
        "1.01f * (exponent + 2.0f) / (exponent + 1.0f) * cosine"}};
   for (const Mutation& m : mutations) {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "nook_program.hpp"
-#include "render/scene_mesh.hpp"
+#include "plan/scene_mesh.hpp"
 
 namespace nook::test {
 namespace {

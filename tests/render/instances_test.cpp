@@ -11,7 +11,7 @@
 
 #include "bvh/bvh.hpp"
 #include "mesh/instance.hpp"
-#include "render/path_tracer.hpp"
+#include "trace/occlusion_tracer.hpp"
 #include "support/kernels.hpp"
 #include "support/meshes.hpp"
 
@@ -112,7 +112,7 @@ Traced trace(const Scene& scene, const TriangleMesh& mesh, Traversal traversal, 
   const Plan plan = make_plan(scene, mesh, true);
   EXPECT_EQ(plan.instances, !mesh.instances.empty());
   const Bvh bvh = build_bvh(mesh, {.width = width});
-  PathTracer tracer(device(), plan, mesh, bvh, kernel_source, traversal);
+  OcclusionTracer tracer(device(), plan, mesh, bvh, kernel_source, traversal);
   const auto pixels = pixels_in_order(plan.window, plan.width);
   Traced traced;
   traced.films = tracer.make_films();

@@ -12,8 +12,8 @@
 #include "bvh/bvh.hpp"
 #include "image/image.hpp"
 #include "image/png.hpp"
-#include "render/path_tracer.hpp"
-#include "render/scene_mesh.hpp"
+#include "trace/occlusion_tracer.hpp"
+#include "plan/scene_mesh.hpp"
 #include "scene/scene_toml.hpp"
 #include "support/kernels.hpp"
 #include "temporary_folder.hpp"
@@ -134,7 +134,7 @@ TEST_P(KernelVariants, EveryTraversalGivesTheSameBits) {
       if (width == 8 && traversal == Traversal::scalar && !plan.instances && !plan.asks_reach())
         continue;  // its loops know no width
       SCOPED_TRACE(testing::Message() << width << " children a node, traversal " << int(traversal));
-      PathTracer tracer(device(), plan, mesh, bvh, kernel_source, traversal);
+      OcclusionTracer tracer(device(), plan, mesh, bvh, kernel_source, traversal);
       std::vector<Film> films = tracer.make_films();
       tracer.accumulate(pixels, {0, plan.samples_per_pixel()}, films);
       EXPECT_EQ(tracer.counters().rejected, 0u);

@@ -7,7 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
 
-#include "render/points.hpp"
+#include "points/points.hpp"
 #include "support/estimates.hpp"
 #include "support/meshes.hpp"
 #include "support/program.hpp"

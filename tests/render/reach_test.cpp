@@ -9,9 +9,9 @@
 #include "effects_geometry.hpp"
 #include "hard_meshes.hpp"
 #include "mesh/corner_order.hpp"
-#include "render/adaptive.hpp"
-#include "render/path_tracer.hpp"
-#include "render/vertex_points.hpp"
+#include "adaptive/adaptive.hpp"
+#include "trace/occlusion_tracer.hpp"
+#include "points/vertex_points.hpp"
 #include "scene/names.hpp"
 #include "support/kernels.hpp"
 #include "support/meshes.hpp"
@@ -63,8 +63,8 @@ class Asked {
   const TriangleMesh& mesh() const { return mesh_; }
 
   Traced picture(const Scene& scene, bool reach, Traversal traversal = Traversal::automatic,
-                 const PathTracer::KernelSource& source = kernel_source) const {
-    return traced(scene, reach, traversal, source, [&](PathTracer& tracer, const Plan& plan) {
+                 const OcclusionTracer::KernelSource& source = kernel_source) const {
+    return traced(scene, reach, traversal, source, [&](OcclusionTracer& tracer, const Plan& plan) {
       std::vector<Film> films = tracer.make_films();
       tracer.accumulate(pixels_in_order(plan.window, plan.width), {0, plan.samples_per_pixel()}, films);
       return std::move(films[0]);
@@ -73,18 +73,18 @@ class Asked {
 
   Traced points(const Scene& scene, bool reach, const std::vector<SurfacePoint>& points,
                 Traversal traversal = Traversal::automatic) const {
-    return traced(scene, reach, traversal, kernel_source, [&](PathTracer& tracer, const Plan&) {
+    return traced(scene, reach, traversal, kernel_source, [&](OcclusionTracer& tracer, const Plan&) {
       return tracer.estimate_points(points, 0, scene.directions);
     });
   }
 
  private:
   template <class Work>
-  Traced traced(const Scene& scene, bool reach, Traversal traversal, const PathTracer::KernelSource& source,
+  Traced traced(const Scene& scene, bool reach, Traversal traversal, const OcclusionTracer::KernelSource& source,
                 const Work& work) const {
     Plan plan = make_plan(scene, mesh_);
     plan.effects[0].reach = reach;
-    PathTracer tracer(device(), plan, mesh_, bvh_, source, traversal);
+    OcclusionTracer tracer(device(), plan, mesh_, bvh_, source, traversal);
     Film film = work(tracer, plan);
     return {std::move(film), tracer.counters()};
   }
@@ -144,7 +144,7 @@ TEST(Reach, ATiltedFloorTracesAlmostNothing) {
   const Asked floor(floor_of(12, -0.3f, vec3(3, 1, 2)));
   const auto patient = [&](const std::string& file) {
     const std::string text = kernel_source(file);
-    return file == "occlusion.cl" ? mutate(text, "#define REACH_VISITS 12u", "#define REACH_VISITS 400u")
+    return file == "stage/occlusion.cl" ? mutate(text, "#define REACH_VISITS 12u", "#define REACH_VISITS 400u")
                                   : text;
   };
   for (const auto& [spp, directions] : ways) {
@@ -267,7 +267,7 @@ TEST(Reach, TooSmallAReachShows) {
     SCOPED_TRACE(find);
     const auto mutant = [&](const std::string& file) {
       const std::string text = kernel_source(file);
-      return file == "occlusion.cl" ? mutate(text, find, replace) : text;
+      return file == "stage/occlusion.cl" ? mutate(text, find, replace) : text;
     };
     EXPECT_FALSE(same_bits(court.picture(scene, true, Traversal::automatic, mutant).film, all.film));
   }
@@ -291,7 +291,7 @@ TEST(Reach, APixelWithNothingInReachStopsAtOnce) {
         Plan plan = make_plan(scene, mesh);
         plan.effects[0].reach = reach;
         plan = AdaptiveRender::plan_for(plan, target);
-        PathTracer tracer(device(), plan, mesh, bvh);
+        OcclusionTracer tracer(device(), plan, mesh, bvh);
         return AdaptiveRender(tracer, plan, target).run().effects[0];
       };
       const PixelEstimates asked = rendered(true), all = rendered(false);

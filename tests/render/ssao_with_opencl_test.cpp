@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "render/path_tracer.hpp"
+#include "trace/occlusion_tracer.hpp"
 #include "ssao/ssao.hpp"
 #include "ssao_scenes.hpp"
 
@@ -22,7 +22,7 @@ std::vector<std::uint64_t> trace() {
   const Plan plan = make_plan(scene, mesh);
   const Device device(select_device(""));
   const Bvh bvh = build_bvh(mesh);
-  PathTracer tracer(device, plan, mesh, bvh);
+  OcclusionTracer tracer(device, plan, mesh, bvh);
   std::vector<Film> films = tracer.make_films();
   tracer.accumulate(pixels_in_order(plan.window, plan.width), {0, plan.samples_per_pixel()}, films);
   return films.front().sum;

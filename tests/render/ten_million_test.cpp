@@ -33,7 +33,7 @@ double winding_number(const TriangleMesh& mesh, const dvec3& point) {
 std::vector<SurfacePoint> sampled_points(const Case& scene, std::uint32_t pixel, std::uint32_t spp) {
   const auto by_number = [&](const std::string& file) {
     const std::string source = kernel_source(file);
-    if (file != "primary.cl") return source;
+    if (file != "stage/primary.cl") return source;
     return mutate(
         mutate(source, "sample[k] = task.first_sample + (begin + k) % p.samples;", "sample[k] = task.point;"),
         "camera_directions(&camera, pixel, sample, count, &p,",
@@ -72,7 +72,7 @@ TEST_F(TenMillionTriangles, OnlyRaysThatStartOutsideGetOut) {
     EXPECT_EQ(inside.render(other).sum, film.sum);
 
   EXPECT_NEAR(std::abs(winding_number(inside.mesh(), dvec3(inside.scene.camera.eye))), 1, 1e-6);
-  PathTracer tracer = inside.tracer(Traversal::stream);
+  OcclusionTracer tracer = inside.tracer(Traversal::stream);
   unsigned open = 0;
   for (std::uint32_t pixel = 0; pixel < film.pixels(); ++pixel) {
     EXPECT_EQ(film.hits[pixel], spp);

@@ -13,8 +13,8 @@
 
 #include "bvh/bvh.hpp"
 #include "mesh/obj_loader.hpp"
-#include "render/adaptive.hpp"
-#include "render/forecast.hpp"
+#include "adaptive/adaptive.hpp"
+#include "adaptive/forecast.hpp"
 #include "scene/names.hpp"
 #include "support/ceiling.hpp"
 #include "support/kernels.hpp"
@@ -60,7 +60,7 @@ class CoverageTest : public ::testing::Test {
   };
   Outcome measure(const Scene& scene, double value, const ErrorTarget& target) const {
     const Plan made = plan(scene, target);
-    PathTracer tracer(test::device(), made, mesh_, bvh_);
+    OcclusionTracer tracer(test::device(), made, mesh_, bvh_);
     AdaptiveRender render(tracer, made, target);
     const AdaptiveResult result = render.run();
     EXPECT_EQ(result.share_done, 1);
@@ -202,7 +202,7 @@ TEST_F(CoverageTest, SameBitsEveryTime) {
   for (const Sampler sampler : {Sampler::independent, Sampler::sobol}) {
     const ErrorTarget target{.error = .02};
     const Plan made = plan(scene(.5, Sampling::cosine, sampler), target);
-    PathTracer tracer(test::device(), made, mesh_, bvh_);
+    OcclusionTracer tracer(test::device(), made, mesh_, bvh_);
     EXPECT_EQ(AdaptiveRender(tracer, made, target).run().effects.front().value,
               AdaptiveRender(tracer, made, target).run().effects.front().value);
   }
@@ -216,7 +216,7 @@ TEST_F(CoverageTest, TheForecastHolds) {
       if (sampler == Sampler::independent && error < .01) continue;
       const ErrorTarget target{.error = error};
       const Plan made = plan(scene(.5, Sampling::cosine, sampler), target);
-      PathTracer tracer(test::device(), made, mesh_, bvh_);
+      OcclusionTracer tracer(test::device(), made, mesh_, bvh_);
       const double asked[] = {error};
       const Forecast predicted = forecast(tracer, made, target, asked, 0.2);
       const AdaptiveResult result = AdaptiveRender(tracer, made, target).run();
@@ -241,7 +241,7 @@ TEST_F(CoverageTest, TheForecastOfTimeHolds) {
     Scene large = scene(.5, Sampling::cosine, sampler);
     large.width = large.height = 256;
     const Plan made = plan(large, target);
-    PathTracer tracer(test::device(), made, mesh_, bvh_);
+    OcclusionTracer tracer(test::device(), made, mesh_, bvh_);
     const double asked[] = {target.error};
     const double of_processors =
         forecast(tracer, made, target, asked, 3, processor_seconds).rows.front().seconds;

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "render/deadline.hpp"
+#include "trace/deadline.hpp"
 #include "temporary_folder.hpp"
 
 namespace nook {

@@ -131,7 +131,7 @@ double open_reflection_variance(Sampling sampling, double n, double theta) {
                lobe_mean(2 * n, theta, [](double c, double) { return c * c; });
       break;
     case Sampling::mixture: {
-      double share = n * n * n / (1 + n * n * n);  // as lobe_share in kernels/reflection.cl
+      double share = n * n * n / (1 + n * n * n);  // as lobe_share in kernels/effect/reflection.cl
       second = lobe_mean(n, theta, [=](double c, double alpha) {
         double lobe = std::pow(alpha, n);
         double weight = (n + 2) * lobe * c / (share * (n + 1) * lobe + 2 * (1 - share) * c);

@@ -2,7 +2,7 @@
 
 namespace nook::test {
 
-Renderer::Renderer(const Scene& scene, const TriangleMesh& mesh, const PathTracer::KernelSource& source)
+Renderer::Renderer(const Scene& scene, const TriangleMesh& mesh, const OcclusionTracer::KernelSource& source)
     : plan_(make_plan(scene, mesh)), bvh_(build_bvh(mesh)), tracer_(device(), plan_, mesh, bvh_, source) {}
 
 ReferenceImage Renderer::picture() {

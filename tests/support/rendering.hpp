@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/path_tracer.hpp"
+#include "trace/occlusion_tracer.hpp"
 #include "support/kernels.hpp"
 #include "support/oracle.hpp"
 
@@ -10,7 +10,7 @@ namespace nook::test {
 class Renderer {
  public:
   Renderer(const Scene& scene, const TriangleMesh& mesh,
-           const PathTracer::KernelSource& source = kernel_source);
+           const OcclusionTracer::KernelSource& source = kernel_source);
 
   /// The first effect's picture with the variance of each pixel.
   ReferenceImage picture();
@@ -21,7 +21,7 @@ class Renderer {
  private:
   Plan plan_;
   Bvh bvh_;
-  PathTracer tracer_;
+  OcclusionTracer tracer_;
 };
 
 /// The mean of `replicates` pictures of different seeds, and its variance as their spread shows it: for point

@@ -20,39 +20,39 @@ inline uint clz(uint x) {
 }
 #define __constant static const
 
-#include "kernels/halton.cl"
-#include "kernels/random.cl"
-#include "kernels/sobol.cl"
-#include "kernels/stratified.cl"
+#include "kernels/sample/halton.cl"
+#include "kernels/sample/random.cl"
+#include "kernels/sample/sobol.cl"
+#include "kernels/sample/stratified.cl"
 
 // The samplers are chosen by a macro: the file is compiled once for each.
 namespace independent {
 #define SAMPLER 0
-#include "kernels/sampler.cl"
+#include "kernels/sample/sampler.cl"
 }  // namespace independent
 namespace stratified {
 #undef NOOK_SAMPLER_CL
 #undef SAMPLER
 #define SAMPLER 1
-#include "kernels/sampler.cl"
+#include "kernels/sample/sampler.cl"
 }  // namespace stratified
 namespace halton {
 #undef NOOK_SAMPLER_CL
 #undef SAMPLER
 #define SAMPLER 2
-#include "kernels/sampler.cl"
+#include "kernels/sample/sampler.cl"
 }  // namespace halton
 namespace sobol {
 #undef NOOK_SAMPLER_CL
 #undef SAMPLER
 #define SAMPLER 3
-#include "kernels/sampler.cl"
+#include "kernels/sample/sampler.cl"
 }  // namespace sobol
 namespace zorder {
 #undef NOOK_SAMPLER_CL
 #undef SAMPLER
 #define SAMPLER 4
-#include "kernels/sampler.cl"
+#include "kernels/sample/sampler.cl"
 }  // namespace zorder
 
 }  // namespace nook::test::kernels_as_cpp

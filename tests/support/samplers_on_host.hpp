@@ -6,7 +6,7 @@
 
 namespace nook::test {
 
-/// kernels/sampler.cl compiled as C++: sample_pixel and sample_direction of each sampler.
+/// kernels/sample/sampler.cl compiled as C++: sample_pixel and sample_direction of each sampler.
 vec2 host_sample_pixel(Sampler sampler, std::uint32_t pixel, std::uint32_t sample, const EstimatorParams& p);
 vec2 host_sample_direction(Sampler sampler, std::uint32_t pixel, std::uint32_t sample,
                            std::uint32_t direction, const EstimatorParams& p);

@@ -4,7 +4,7 @@
 
 namespace nook::test {
 
-/// What kernels/warp.cl should produce, derived anew in double precision and in polar coordinates (the
+/// What kernels/sample/warp.cl should produce, derived anew in double precision and in polar coordinates (the
 /// kernels use concentric squares): the density, and the transform to a uniform pair
 ///   ( P(angle from +z < theta(w)), phi(w) / 2 pi ).
 double oracle_pdf(Warp warp, const dvec3& w, double exponent);

@@ -1,6 +1,6 @@
 // Renders that end by time, in simulated time: a clock that only work moves, so that no load on the machine
 // matters.
-#include "render/deadline.hpp"
+#include "trace/deadline.hpp"
 
 #include <gtest/gtest.h>
 

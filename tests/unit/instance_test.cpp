@@ -8,8 +8,8 @@
 #include "expect_error.hpp"
 #include "mesh/mesh_analysis.hpp"
 #include "nook_program.hpp"
-#include "render/plan.hpp"
-#include "render/scene_mesh.hpp"
+#include "plan/plan.hpp"
+#include "plan/scene_mesh.hpp"
 #include "scene/scene_toml.hpp"
 
 namespace nook::test {

@@ -1,5 +1,5 @@
 // What follows from a scene before anything is computed: layers, kernels, what is loaded, what is left out.
-#include "render/plan.hpp"
+#include "plan/plan.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,10 @@
 #include "expect_error.hpp"
 #include "mesh/obj_loader.hpp"
 #include "nook_program.hpp"
-#include "render/kernel_plan.hpp"
-#include "render/plan_report.hpp"
+#include "plan/kernel_plan.hpp"
+#include "plan/plan_report.hpp"
 #include "scene/scene_toml.hpp"
+#include "plan/scene_camera.hpp"
 
 namespace nook {
 namespace {

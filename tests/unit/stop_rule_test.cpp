@@ -1,6 +1,6 @@
 // The stop rules' mathematics, without randomness: a sequential rule is a finite Markov chain over (samples,
 // hits), so bias and coverage follow exactly from summing the probabilities of where it ends.
-#include "render/stop_rule.hpp"
+#include "adaptive/stop_rule.hpp"
 
 #include <gtest/gtest.h>
 

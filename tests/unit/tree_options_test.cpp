@@ -2,7 +2,7 @@
 // rays.
 #include <gtest/gtest.h>
 
-#include "render/tree_options.hpp"
+#include "plan/tree_options.hpp"
 
 namespace nook {
 namespace {

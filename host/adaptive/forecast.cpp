@@ -1,0 +1,99 @@
+#include "adaptive/forecast.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "adaptive/replicated_pilot.hpp"
+
+namespace nook {
+namespace {
+
+constexpr std::size_t run_length =
+    64;  // pixels that are neighbours: rays as coherent as in the whole picture
+constexpr std::uint32_t samples_a_pass = 256;  // as a render's stages have for errors that take long
+// What the rules take beyond the samples that their target needs: stages are an eighth apart, and plans of a
+// pilot are on the safe side.
+constexpr double counts_surplus = 1.06, planned_surplus = 1.12;
+
+// Positions of so many pixels, or all.
+std::vector<std::uint32_t> spread_runs(std::size_t pixels, std::size_t wanted) {
+  const std::size_t runs = std::max<std::size_t>(1, pixels / run_length);
+  const std::size_t step = std::max<std::size_t>(1, runs * run_length / std::max<std::size_t>(wanted, 1));
+  std::vector<std::uint32_t> chosen;
+  for (std::size_t run = step / 2; run < runs; run += step)
+    for (std::size_t i = run * run_length; i < std::min(pixels, (run + 1) * run_length); ++i)
+      chosen.push_back(std::uint32_t(i));
+  if (chosen.empty())
+    for (std::size_t i = 0; i < pixels; ++i) chosen.push_back(std::uint32_t(i));
+  return chosen;
+}
+
+}  // namespace
+
+Forecast forecast(OcclusionTracer& tracer, const Plan& plan, const ErrorTarget& target,
+                  std::span<const double> errors, double seconds, const Deadline::Clock& clock) {
+  const auto since = [&](double start) { return clock() - start; };
+  const double start = clock();
+  const std::vector<std::uint32_t> order = pixels_in_order(plan.window, plan.width);
+  std::vector<std::uint32_t> pixels =
+      spread_runs(order.size(), std::max<std::size_t>(8192, order.size() / 32));
+  if (plan.sampler != Sampler::independent) {
+    Forecast made;
+    ReplicatedPilot pilot(tracer, plan, target, std::move(pixels));
+    made.samples_per_second = pilot.run([&] { return since(start) < seconds; }, clock);
+    for (const double error : errors) {
+      const bool counts = AdaptiveRender::plan_for(plan, {.error = error}).sampler == Sampler::independent;
+      const double spp = counts ? counts_surplus * pilot.samples_as_counts(error) : pilot.samples_for(error);
+      made.rows.push_back({error, spp, spp * double(order.size()) / made.samples_per_second});
+    }
+    made.pilot_seconds = since(start);
+    return made;
+  }
+  for (std::uint32_t& pixel : pixels) pixel = order[pixel];
+  std::vector<Film> films = tracer.make_films();
+  // The first launches load code and fill caches: they count as samples, not as speed. And a render spends
+  // its time on pixels that see the mesh.
+  std::uint32_t taken = 16;
+  tracer.accumulate(pixels, {0, taken}, films);
+  std::vector<std::uint32_t> on_mesh;
+  for (const std::uint32_t pixel : pixels)
+    if (films.front().hits[plan.film_index(pixel)] > 0) on_mesh.push_back(pixel);
+  if (on_mesh.empty()) on_mesh = pixels;
+  std::vector<double> rates;
+  do {
+    const double began = clock();
+    tracer.accumulate(on_mesh, {taken, samples_a_pass}, films);
+    taken += samples_a_pass;
+    rates.push_back(double(samples_a_pass) * double(on_mesh.size()) / std::max(clock() - began, 1e-9));
+  } while (since(start) < seconds && taken + samples_a_pass < plan.spp && taken < 4096);
+
+  Forecast made;
+  made.samples_per_second = median(rates);
+  for (const double error : errors) {
+    double total = 0;
+    for (const std::uint32_t pixel : pixels) {
+      const std::size_t i = plan.film_index(pixel);
+      double most = 0;
+      for (std::size_t e = 0; e < films.size(); ++e) {
+        const Film& film = films[e];
+        const bool counts = samples_are_counts(plan.effects[e], plan.directions);
+        const std::uint32_t first = counts ? target.min_spp : std::max(target.min_spp, 64u);
+        double n = first;
+        if (film.hits[i] > 0) {
+          // The mean square about the unbiased variance, so that few samples do not promise too much.
+          const double mean = film.value(i), square = mean * mean + film.variance(i) * film.replicates[i];
+          const double needed = samples_needed(mean, square, plan.effects[e].weight_bound, error, target.z());
+          n = counts ? std::max<double>(first, counts_surplus * needed) : first + planned_surplus * needed;
+        }
+        most = std::max(most, std::min(n, double(target.max_spp)));
+      }
+      total += most;
+    }
+    const double spp = total / double(pixels.size());
+    made.rows.push_back({error, spp, spp * double(order.size()) / made.samples_per_second});
+  }
+  made.pilot_seconds = since(start);
+  return made;
+}
+
+}  // namespace nook

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "adaptive/adaptive.hpp"
+#include "trace/deadline.hpp"
+
+namespace nook {
+
+/// Of at least one value; of an even number, the upper of the middle two.
+double median(std::vector<double> values);
+
+/// A few pixels rendered as AdaptiveRender does with randomised sequences, to predict what all of them will
+/// need.
+class ReplicatedPilot {
+ public:
+  /// tracer and plan as for AdaptiveRender; positions: in pixels_in_order(), ascending.
+  ReplicatedPilot(OcclusionTracer& tracer, const Plan& plan, const ErrorTarget& target,
+                  std::vector<std::uint32_t> positions);
+
+  /// Stage by stage until `go_on` says no, at least three. Camera samples a second, of the last three stages,
+  /// which are the largest.
+  double run(const std::function<bool()>& go_on, const Deadline::Clock& clock);
+
+  /// Mean camera samples a pixel for another error: the first stage at which its interval was narrow enough,
+  /// or the one that it will be at, along the slope that the pixels' variance fell with.
+  double samples_for(double error) const;
+  /// The same for an error at which counts are as cheap (AdaptiveRender::plan_for()).
+  double samples_as_counts(double error) const;
+
+ private:
+  void remember();
+  double rate() const;
+
+  ErrorTarget target_;
+  Randomisations randomisations_;
+  std::vector<std::unique_ptr<PixelRule>> rules_;
+  Session session_;
+  std::vector<std::uint32_t> positions_;
+  bool background_only_ = false;
+  std::vector<std::uint32_t> stages_;             // camera samples of a pixel after each
+  std::vector<std::vector<double>> half_widths_;  // by stage, then pixel (the widest effect's)
+};
+
+}  // namespace nook

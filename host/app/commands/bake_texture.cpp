@@ -1,0 +1,136 @@
+// nook bake SCENE --to texture -o ao.exr: AO and bent normals at the texels of a mesh with texture
+// coordinates.
+#include "app/commands/bake_texture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/interrupt.hpp"
+#include "base/error.hpp"
+#include "base/memory.hpp"
+#include "image/exr.hpp"
+#include "image/png.hpp"
+#include "picture/picture.hpp"
+
+namespace nook {
+namespace {
+
+constexpr int default_size = 1024;
+
+bool is_png(const std::filesystem::path& file) {
+  return file.extension() == ".png";
+}
+
+// The estimates of the covered texels, at their places in the whole texture.
+Film spread(const Film& estimates, const TexturePoints& texels) {
+  Film film(texels.size, texels.size, estimates.sum_scale, estimates.square_scale, estimates.per_replicate,
+            estimates.extra.size());
+  for (std::size_t i = 0; i < texels.texels.size(); ++i) {
+    const std::size_t texel = texels.texels[i];
+    film.sum[texel] = estimates.sum[i];
+    film.sum_square[texel] = estimates.sum_square[i];
+    film.replicates[texel] = estimates.replicates[i];
+    film.camera_samples[texel] = estimates.camera_samples[i];
+    film.hits[texel] = estimates.hits[i];
+    for (std::size_t plane = 0; plane < film.extra.size(); ++plane)
+      film.extra[plane][texel] = estimates.extra[plane][i];
+  }
+  return film;
+}
+
+void add_vectors(const std::string& layer, const std::vector<vec3>& values, const TexturePoints& texels,
+                 std::vector<Channel>& channels) {
+  static constexpr const char* axes[] = {".X", ".Y", ".Z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<float> plane(std::size_t(texels.size) * std::size_t(texels.size));
+    for (std::size_t i = 0; i < values.size(); ++i) plane[texels.texels[i]] = values[i][axis];
+    channels.push_back({layer + axes[axis], std::move(plane)});
+  }
+}
+
+// Every channel but A goes on beyond what is covered.
+void dilate(Image& image, const std::vector<std::uint32_t>& source) {
+  for (Channel& channel : image.channels) {
+    if (channel.name == "A") continue;
+    std::visit(
+        [&](auto& values) {
+          const auto before = values;
+          for (std::size_t i = 0; i < values.size(); ++i)
+            if (source[i] != no_texel) values[i] = before[source[i]];
+        },
+        channel.values);
+  }
+}
+
+}  // namespace
+
+void TextureOptions::add_to(CLI::App& command) {
+  command.add_option("--size", size, "With --to texture: texels on a side; default 1024")
+      ->check(CLI::Range(1, 16384));
+  command
+      .add_option("--dilation", dilation,
+                  "With --to texture: rings of texels that continue the edges; default 8")
+      ->check(CLI::Range(0, 1024));
+  command.add_option("--aov", aovs, "With --to texture: more channels: normal,position,variance,samples")
+      ->delimiter(',');
+}
+
+void check_texture_options(const TextureOptions& options, const Scene& scene,
+                           const std::filesystem::path& output) {
+  const AovRequest asked = parse_aovs(options.aovs);
+  if (asked.depth || asked.alpha)
+    throw Error(ExitCode::usage, "--aov: a texture has normal, position, variance and samples, and A always");
+  if (!is_png(output) && output.extension() != ".exr")
+    throw Error(ExitCode::usage, fmt::format("{}: a texture is an .exr or a .png file", output.string()));
+  if (is_png(output) && scene.effects.front().kind == EffectKind::bent)
+    throw Error(ExitCode::usage,
+                fmt::format("{}: a PNG holds no directions; name an .exr file", output.string()));
+  if (is_png(output) && (scene.effects.size() > 1 || !options.aovs.empty()))
+    throw Error(ExitCode::usage,
+                fmt::format("{}: a PNG holds one effect; name an .exr file for more", output.string()));
+  const int size = options.size.value_or(default_size);
+  const auto texels = std::uint64_t(size) * std::uint64_t(size);
+  check_memory(texels * (180 + 140 * scene.effects.size() + 24 * options.aovs.size()),
+               fmt::format("a texture of {}x{} texels", size, size), "choose a smaller --size");
+}
+
+TexturePoints points_of_texture(const TextureOptions& options, const Scene& scene, const TriangleMesh& mesh) {
+  try {
+    TexturePoints made = texture_points(mesh, options.size.value_or(default_size));
+    if (made.overlapping)
+      fmt::print(stderr, "warning: {} texels lie in more than one triangle; the first in the mesh has them\n",
+                 made.overlapping);
+    if (made.without_uv)
+      fmt::print(stderr, "warning: {} triangles have no texture coordinates and are in no texel\n",
+                 made.without_uv);
+    return made;
+  } catch (const Error& e) {
+    throw Error(e.code(), scene.mesh_file.string() + ": " + e.what());
+  }
+}
+
+void write_texture(const TextureOptions& options, const TexturePoints& texels, const Plan& plan,
+                   OcclusionTracer& tracer, const std::filesystem::path& output) {
+  const std::vector<Film> films =
+      tracer.estimate_all(texels.points, plan.directions, [](auto&&...) { return !interrupted(); });
+  if (interrupted()) throw Error(ExitCode::interrupted, "interrupted; nothing was written");
+  const AovRequest asked = parse_aovs(options.aovs);
+  FilmPart part;
+  part.layers = layer_names(plan);
+  part.aovs = options.aovs;
+  part.aovs.push_back("alpha");
+  for (const Film& film : films) part.films.push_back(spread(film, texels));
+  if (asked.normal) add_vectors("N", texels.normals, texels, part.surface);
+  if (asked.position) add_vectors("P", texels.positions, texels, part.surface);
+  Image image = make_picture(part);
+  dilate(image, dilation_sources(texels.texels, texels.size, options.dilation.value_or(8)));
+  if (is_png(output))
+    write_png(output, image);
+  else
+    write_exr(output, image);
+  fmt::print(stderr, "{}: {} of {} texels covered, {} directions each\n", output.string(),
+             texels.texels.size(), std::size_t(texels.size) * std::size_t(texels.size), plan.directions);
+}
+
+}  // namespace nook

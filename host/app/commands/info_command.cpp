@@ -1,0 +1,95 @@
+// nook info SCENE: what is in the mesh, and what the scene's numbers and the flags resolve to.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/commands.hpp"
+#include "app/options/scene_options.hpp"
+#include "mesh/mesh_analysis.hpp"
+#include "plan/plan.hpp"
+#include "plan/scene_mesh.hpp"
+#include "scene/names.hpp"
+
+namespace nook {
+namespace {
+
+// What a flag may have changed of an effect.
+std::string settings_of(const Effect& effect) {
+  if (effect.kind == EffectKind::ssao)
+    return fmt::format("{}, radius {}", name_of(effect.ssao.method),
+                       effect.ssao.radius > 0 ? fmt::format("{:g}", effect.ssao.radius) : "auto");
+  if (is_surface(effect.kind)) return "of the surface";
+  std::string text = fmt::format("{} sampling", name_of(effect.sampling));
+  if (effect.kind == EffectKind::ro)
+    text += effect.exponent_of_material ? ", exponent of the material"
+                                        : fmt::format(", exponent {:g}", effect.exponent);
+  return text;
+}
+
+void print_picture(const Scene& scene, bool spp_given) {
+  const PixelRect window = scene.crop.value_or(PixelRect{0, 0, scene.width, scene.height});
+  fmt::print("picture           {}x{}, pixels {} <= x < {}, {} <= y < {}\n", scene.width, scene.height,
+             window.x0, window.x1, window.y0, window.y1);
+  const bool sampled = std::any_of(scene.effects.begin(), scene.effects.end(),
+                                   [](const Effect& effect) { return is_traced(effect.kind); });
+  if (sampled)
+    fmt::print("samples           {}, {} of a camera ray, {} from seed {}\n",
+               scene.stop.any() && !spp_given
+                   ? fmt::format("at most {} camera rays a pixel", scene.stop.max_spp)
+                   : fmt::format("{} camera rays a pixel", scene.spp),
+               scene.directions == 1 ? "1 direction" : fmt::format("{} directions", scene.directions),
+               name_of(scene.sampler), scene.seed);
+  for (const Effect& effect : scene.effects)
+    fmt::print("effect            {}: {}\n", name_of(effect.kind), settings_of(effect));
+}
+
+int print_info(const SceneOptions& options) {
+  const Scene scene = options.load();
+  options.check_applicable(scene);
+  const TriangleMesh mesh = load_scene_mesh(
+      scene, {.normals = true, .uvs = false, .materials = true, .groups = true}, scene.instancing);
+  const MeshAnalysis analysis = analyse(mesh);
+  const vec3 lo = mesh.bounds.lo, hi = mesh.bounds.hi, center = mesh.bounds.center();
+  fmt::print("mesh              {}\n", scene.mesh_file.string());
+  fmt::print("triangles         {}\n", mesh.scene_triangles());
+  if (!mesh.instances.empty())
+    fmt::print("instances         {} of {} meshes, which have {} triangles\n", mesh.instances.size(),
+               mesh.parts.size(), mesh.triangles.size());
+  fmt::print("positions         {}\n", mesh.positions.size());
+  fmt::print("groups, materials {}, {}\n", mesh.groups.size(), mesh.materials.size());
+  fmt::print("bounds            ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})\n", lo.x, lo.y, lo.z, hi.x, hi.y,
+             hi.z);
+  fmt::print("bounding sphere   center ({:g}, {:g}, {:g}), radius {:g}\n", center.x, center.y, center.z,
+             mesh.bounds.bounding_radius());
+  fmt::print("vertex normals    {}\n",
+             mesh.has_normals()
+                 ? fmt::format("{} ({} corners without, {} not of unit length)", mesh.normals.size(),
+                               mesh.report.normals_replaced, mesh.report.normals_normalised)
+                 : "none: geometric normals are used");
+  fmt::print("zero-area         {}\n", analysis.zero_area);
+  fmt::print("duplicates        {}\n", analysis.duplicates);
+  fmt::print("NaN or infinite   {} triangles dropped\n", mesh.report.non_finite_dropped);
+  for (const Effect& effect : scene.effects) {
+    if (!is_traced(effect.kind)) continue;
+    const float limit = resolve_distance(effect, mesh.subject_bounds(), scene.compat_tinyrender);
+    fmt::print("distance limit    {} for {} ({})\n", std::isinf(limit) ? "none" : fmt::format("{:g}", limit),
+               name_of(effect.kind),
+               effect.max_distance.kind == DistanceLimit::Kind::automatic && scene.compat_tinyrender
+                   ? "compat = tinyrender"
+                   : to_string(effect.max_distance));
+  }
+  print_picture(scene, options.spp.has_value());
+  return 0;
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<SceneOptions>();
+  CLI::App* command = app.add_subcommand("info", "Describe a scene's mesh and what its numbers resolve to");
+  options->add_to(*command);
+  command->callback([options, &chosen] { chosen = [options] { return print_info(*options); }; });
+}
+
+}  // namespace nook

@@ -1,0 +1,142 @@
+// nook plan SCENE: what a render of the scene will do, what it leaves out, and why. Renders nothing and opens
+// no device.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "app/options/scene_options.hpp"
+#include "bvh/bvh.hpp"
+#include "plan/plan_report.hpp"
+#include "plan/scene_mesh.hpp"
+#include "scene/names.hpp"
+
+namespace nook {
+namespace {
+
+struct PlanOptions {
+  SceneOptions scene;
+  bool json = false;
+};
+
+// 1234567 -> "1 234 567"
+std::string grouped(std::uint64_t number) {
+  std::string digits = std::to_string(number);
+  for (std::size_t place = digits.size(); place > 3; place -= 3) digits.insert(place - 3, 1, ' ');
+  return digits;
+}
+
+std::string layer_text(const LayerPlan& layer) {
+  if (layer.prefix.empty()) return "R,G,B";
+  if (layer.kind == EffectKind::bent) return layer.prefix + "X,Y,Z,cone,AO";
+  return layer.prefix + (layer.kind == EffectKind::depth ? "Z" : is_surface(layer.kind) ? "X,Y,Z" : "R,G,B");
+}
+
+std::string settings_text(const EffectPlan& effect) {
+  std::string text =
+      fmt::format("{}, distance {}", name_of(effect.effect.sampling),
+                  std::isinf(effect.max_distance) ? "unlimited" : fmt::format("{:.6g}", effect.max_distance));
+  const Effect& e = effect.effect;
+  if (e.falloff != Falloff::none) text += fmt::format(", {} falloff", name_of(e.falloff));
+  if (e.min_distance > 0) text += fmt::format(", from {:g} on", e.min_distance);
+  if (e.kind != EffectKind::ro && e.cone_angle < 90)
+    text += fmt::format(", cone of {:g} degrees", e.cone_angle);
+  if (e.only_self) text += ", occluded by its own group";
+  if (!e.occluders.empty()) text += fmt::format(", occluders {}", fmt::join(e.occluders, "+"));
+  if (!e.receivers.empty()) text += fmt::format(", receivers {}", fmt::join(e.receivers, "+"));
+  if (e.side != Side::normal) text += fmt::format(", side {}", name_of(e.side));
+  if (e.kind == EffectKind::ro)
+    text += e.exponent_of_material ? ", exponent of the material" : fmt::format(", exponent {}", e.exponent);
+  return text;
+}
+
+void print_layers(const Plan& plan) {
+  fmt::print("\nLayers\n");
+  auto traced = plan.effects.begin();
+  for (const LayerPlan& layer : plan.layers) {
+    const bool settings = layer.kind != EffectKind::ssao && !is_surface(layer.kind);
+    fmt::print("  {:<24} {:<9} {}\n", layer_text(layer), name_of(layer.kind),
+               settings ? settings_text(*traced++) : "");
+  }
+}
+
+void print_table(const Scene& scene, const Plan& plan, const TriangleMesh& mesh, const PlanReport& report) {
+  fmt::print("{}: {}x{} pixels, {} camera rays a pixel, {} directions each, {} triangles\n",
+             scene.file.string(), plan.window.width(), plan.window.height(), plan.spp, plan.directions,
+             grouped(mesh.scene_triangles()));
+  print_layers(plan);
+  fmt::print("\nPasses\n");
+  for (const PassReport& pass : report.passes)
+    fmt::print(
+        "  {:<16} {}{}\n", pass.name, pass.what,
+        pass.rays ? fmt::format(", {}{} rays", pass.name == "occlusion" ? "at most " : "", grouped(pass.rays))
+                  : "");
+  if (!report.kernels.empty()) fmt::print("\nKernels\n");
+  for (const KernelPlan& kernel : report.kernels)
+    fmt::print("  {:<16}{}\n", kernel.file, kernel.options.text());
+  if (!report.buffers.empty()) fmt::print("\nUploaded\n");
+  std::uint64_t sum = 0;
+  for (const BufferReport& buffer : report.buffers) {
+    fmt::print("  {:<20} {:>14} bytes\n", buffer.name, grouped(buffer.bytes));
+    sum += buffer.bytes;
+  }
+  if (sum) fmt::print("  {:<20} {:>14} bytes\n", "together", grouped(sum));
+  fmt::print("\nLibraries\n");
+  for (const std::string& library : report.libraries) fmt::print("  {}\n", library);
+  fmt::print("\nLeft out\n");
+  for (const std::string& what : report.left_out) fmt::print("  {}\n", what);
+}
+
+void print_json(const Plan& plan, const TriangleMesh& mesh, const PlanReport& report) {
+  nlohmann::json json = {{"width", plan.window.width()},
+                         {"height", plan.window.height()},
+                         {"spp", plan.spp},
+                         {"directions", plan.directions},
+                         {"triangles", mesh.scene_triangles()},
+                         {"libraries", report.libraries},
+                         {"left_out", report.left_out},
+                         {"kernels", nlohmann::json::array()},
+                         {"buffers", nlohmann::json::array()}};
+  auto traced = plan.effects.begin();
+  for (const LayerPlan& layer : plan.layers) {
+    nlohmann::json entry = {{"channels", layer_text(layer)}, {"type", name_of(layer.kind)}};
+    if (layer.kind != EffectKind::ssao && !is_surface(layer.kind))
+      entry["settings"] = settings_text(*traced++);
+    json["layers"].push_back(entry);
+  }
+  for (const PassReport& pass : report.passes)
+    json["passes"].push_back({{"name", pass.name}, {"what", pass.what}, {"rays_at_most", pass.rays}});
+  for (const KernelPlan& kernel : report.kernels)
+    json["kernels"].push_back({{"file", kernel.file}, {"options", kernel.options.text()}});
+  for (const BufferReport& buffer : report.buffers)
+    json["buffers"].push_back({{"name", buffer.name}, {"bytes", buffer.bytes}});
+  fmt::print("{}\n", json.dump(2));
+}
+
+int show_plan(const PlanOptions& options) {
+  const Scene scene = options.scene.load();
+  const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene), scene.instancing);
+  const Plan plan = make_plan(scene, mesh);
+  std::optional<Bvh> bvh;
+  if (plan.needs_opencl()) bvh = build_bvh(mesh);  // of 16 children a node: no device is asked
+  const PlanReport report = report_plan(scene, plan, mesh, bvh ? &*bvh : nullptr);
+  if (options.json)
+    print_json(plan, mesh, report);
+  else
+    print_table(scene, plan, mesh, report);
+  return 0;
+}
+
+}  // namespace
+
+void add_plan_command(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<PlanOptions>();
+  CLI::App* command =
+      app.add_subcommand("plan", "Say what a render of a scene will do, what it leaves out, and why");
+  options->scene.add_to(*command);
+  command->add_flag("--json", options->json, "As JSON");
+  command->callback([options, &chosen] { chosen = [options] { return show_plan(*options); }; });
+}
+
+}  // namespace nook

@@ -1,0 +1,105 @@
+// nook probe SCENE --points FILE.csv: AO or RO at given points, as CSV on stdout.
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <iostream>
+#include <limits>
+
+#include "app/commands.hpp"
+#include "app/options/scene_options.hpp"
+#include "base/error.hpp"
+#include "bvh/bvh.hpp"
+#include "plan/scene_mesh.hpp"
+#include "plan/tree_options.hpp"
+#include "points/points.hpp"
+#include "scene/names.hpp"
+#include "trace/occlusion_tracer.hpp"
+
+namespace nook {
+namespace {
+
+struct ProbeOptions {
+  SceneOptions scene;
+  DeviceOptions device;
+  std::filesystem::path points;
+  std::string effect;
+  std::uint32_t samples = 1024;
+};
+
+Scene probe_scene(const ProbeOptions& options) {
+  Scene scene = options.scene.load();
+  Effect effect = scene.effects.front();
+  if (!options.effect.empty()) {
+    const EffectKind kind = options.effect == "ro" ? EffectKind::ro : EffectKind::ao;
+    if (kind != effect.kind) {
+      const bool limit_given = options.scene.max_distance.has_value();
+      effect.kind = kind;
+      if (!options.scene.sampling)
+        effect.sampling = kind == EffectKind::ro ? Sampling::lobe : Sampling::cosine;
+      if (!limit_given) effect.max_distance = {};
+    }
+  }
+  if (effect.kind != EffectKind::ao && effect.kind != EffectKind::ro)
+    throw Error(ExitCode::usage, "--effect: a probe needs ao or ro");
+  if (effect.kind == EffectKind::ao &&
+      (effect.sampling == Sampling::lobe || effect.sampling == Sampling::mixture))
+    throw Error(ExitCode::usage, fmt::format("--sampling: {} needs --effect ro", name_of(effect.sampling)));
+  if (effect.kind == EffectKind::ro && effect.exponent_of_material)
+    throw Error(ExitCode::usage, "points have no material: --exponent gives the one to use");
+  if (effect.only_self)
+    throw Error(ExitCode::scene, fmt::format("{}: occluders = \"self\": a probe's points belong to no group",
+                                             scene.file.string()));
+  scene.effects = {effect};
+  scene.denoise = false;
+  scene.spp = 1;
+  scene.directions = options.samples;
+  scene.crop.reset();
+  return scene;
+}
+
+int probe(const ProbeOptions& options) {
+  const Scene scene = probe_scene(options);
+  MeshAttributes attributes = needed_attributes(scene);
+  attributes.normals = false;
+  const TriangleMesh mesh = load_scene_mesh(scene, attributes, scene.instancing);
+  const Plan plan = make_plan(scene, mesh);
+  const bool needs_view = scene.effects.front().kind == EffectKind::ro;
+  const std::vector<SurfacePoint> points =
+      options.points == "-" ? read_points(std::cin, "standard input", needs_view, mesh.bounds)
+                            : load_points(options.points, needs_view, mesh.bounds);
+  const Device device = options.device.open();
+  const double rays = double(points.size()) * options.samples;
+  const Bvh bvh = build_bvh(mesh, tree_options(device.info(), plan, rays, options.device.threads));
+  OcclusionTracer tracer(device, plan, mesh, bvh);
+  const Film film = tracer.estimate_points(points, 0, options.samples);
+  fmt::print("value,standard_error,samples\n");
+  for (std::size_t i = 0; i < film.pixels(); ++i)
+    fmt::print("{:.9g},{:.9g},{}\n", film.value(i), std::sqrt(film.variance(i)), film.replicates[i]);
+  if (tracer.counters().rejected)
+    fmt::print(stderr, "warning: {} samples were not finite and were left out\n", tracer.counters().rejected);
+  tracer.store_programs();
+  return 0;
+}
+
+}  // namespace
+
+void add_probe_command(CLI::App& app, Command& chosen) {
+  auto options = std::make_shared<ProbeOptions>();
+  CLI::App* command =
+      app.add_subcommand("probe", "Estimate AO or RO at the points of a CSV file; CSV on stdout");
+  options->scene.add_to(*command);
+  options->device.add_to(*command);
+  command
+      ->add_option(
+          "--points", options->points,
+          "CSV rows px,py,pz,nx,ny,nz[,vx,vy,vz]; v: direction to the viewer (RO); -: standard input")
+      ->required();
+  command->add_option("--effect", options->effect, "ao or ro; default: the scene's")
+      ->check(CLI::IsMember({"ao", "ro"}));
+  command->add_option("--samples", options->samples, "Directions at each point")
+      ->check(CLI::Range(1, 1 << 30));
+  command->callback([options, &chosen] { chosen = [options] { return probe(*options); }; });
+}
+
+}  // namespace nook

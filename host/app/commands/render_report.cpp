@@ -1,0 +1,73 @@
+#include "app/commands/render_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "scene/names.hpp"
+
+namespace nook {
+namespace {
+
+std::string distance_text(const EffectPlan& effect) {
+  return std::isinf(effect.max_distance) ? "unlimited"
+                                         : fmt::format("{:.6g} world units", effect.max_distance);
+}
+
+std::string samples_text(const Plan& plan, const StopTarget& stop) {
+  if (!stop.any()) return fmt::format("{} spp", plan.spp);
+  std::string text = stop.error ? fmt::format("to a standard error of {}", *stop.error) : "";
+  if (stop.seconds) text += fmt::format("{}{} seconds", stop.error ? ", at most " : "for ", *stop.seconds);
+  return text + fmt::format(", at most {} spp", plan.spp);
+}
+
+}  // namespace
+
+void announce(const RunRecord& record, const StopTarget& stop) {
+  const Plan& plan = record.plan;
+  for (const EffectPlan& effect : plan.effects)
+    fmt::print(stderr, "{} {}x{}, {} triangles, {} x {} directions, {}, {}, distance {}, {}\n",
+               name_of(effect.effect.kind), plan.window.width(), plan.window.height(), record.triangles,
+               samples_text(plan, stop), plan.directions, name_of(effect.effect.sampling),
+               name_of(plan.sampler), distance_text(effect), record.device.name);
+}
+
+void announce_end(const RunRecord& r, const std::filesystem::path& output) {
+  fmt::print(stderr,
+             "{}: load {:.2f} s, tree {:.2f} s, kernels {:.2f} s{}, render {:.2f} s ({:.1f} Mrays/s), write "
+             "{:.2f} s\n",
+             output.string(), r.seconds.load, r.seconds.bvh, r.seconds.compile,
+             r.kernels_from_cache ? " (cached)" : "", r.seconds.render,
+             double(r.counts.camera_rays + r.counts.occlusion_rays) / std::max(r.seconds.render, 1e-9) * 1e-6,
+             r.seconds.write);
+  if (r.counts.rejected)
+    fmt::print(stderr, "warning: {} samples were not finite and were left out\n", r.counts.rejected);
+}
+
+int announce_error(const ErrorRecord& error, bool quiet) {
+  const bool missed = error.asked > 0 && (error.share_done < 1 || error.reached > error.asked);
+  if (quiet && !missed) return 0;
+  const std::string asked = error.asked > 0 ? fmt::format(" (asked: {}, {:.1f} % of the pixels done)",
+                                                          error.asked, 100 * error.share_done)
+                                            : "";
+  fmt::print(stderr, "{}standard error {:.5f}, at most {:.5f}{}\n", missed ? "nook: target missed: " : "",
+             error.reached, error.worst, asked);
+  return missed ? int(ExitCode::target) : 0;
+}
+
+void announce_ssao(const RunRecord& record) {
+  for (const SsaoRecord& drawn : record.ssao) {
+    fmt::print(stderr,
+               "ssao {}x{}, {} triangles, {}, radius {:.6g} world units: {:.1f} ms a frame, {:.1f} fps (",
+               record.plan.width, record.plan.height, record.triangles, name_of(drawn.plan.method),
+               drawn.plan.radius, 1e3 * drawn.seconds_per_frame, 1 / std::max(drawn.seconds_per_frame, 1e-9));
+    for (std::size_t i = 0; i < drawn.passes.size(); ++i)
+      fmt::print(stderr, "{}{} {:.1f}", i == 0 ? "" : ", ", drawn.passes[i].pass,
+                 1e3 * drawn.passes[i].seconds);
+    fmt::print(stderr, " ms)\n");
+  }
+}
+
+}  // namespace nook

@@ -1,0 +1,72 @@
+#include "app/commands/ssao_render.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+
+#include "app/commands/render_report.hpp"
+#include "app/options/scene_options.hpp"
+#include "base/libraries.hpp"
+#include "base/threads.hpp"
+#include "image/exr.hpp"
+#include "image/png.hpp"
+#include "mesh/mesh_analysis.hpp"
+#include "picture/picture.hpp"
+#include "picture/ssao_layers.hpp"
+#include "plan/scene_mesh.hpp"
+
+namespace nook {
+
+bool is_ssao_alone(const Scene& scene) {
+  return std::all_of(scene.effects.begin(), scene.effects.end(),
+                     [](const Effect& e) { return e.kind == EffectKind::ssao; });
+}
+
+int render_ssao(const Scene& scene, const SsaoRun& run, std::optional<TriangleMesh>& loaded) {
+  using Clock = std::chrono::steady_clock;
+  const auto seconds_since = [](Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
+  const Clock::time_point start = Clock::now();
+  RunRecord record;
+  record.scene_file = run.scene_file.string();
+  limit_own_threads(run.threads);
+  // llvmpipe has no other way; it reads this when the context is made.
+  if (run.threads > 0) setenv("LP_NUM_THREADS", std::to_string(run.threads).c_str(), 1);
+  if (!loaded) loaded = load_scene_mesh(scene, needed_attributes(scene, run.aovs.normal));
+  const TriangleMesh& mesh = *loaded;
+  record.seconds.load = seconds_since(start);
+  record.plan = make_plan(scene, mesh);
+  record.triangles = mesh.triangles.size();
+  record.scene_hash = scene_hash(scene);
+  record.mesh_hash = mesh_hash(mesh);
+
+  const Clock::time_point drawing = Clock::now();
+  Image image;
+  SsaoLayers layers = draw_ssao(scene, mesh, record.plan, run.aovs, run.frames, image);
+  record.device.name = layers.device;
+  record.device.platform_name = "OpenGL";
+  record.device.driver = layers.version;
+  record.bytes_uploaded = layers.mesh_bytes;
+  record.ssao = std::move(layers.effects);
+  record.seconds.render = seconds_since(drawing);
+  if (!run.quiet) announce_ssao(record);
+
+  const Clock::time_point writing = Clock::now();
+  image.metadata = record.metadata();
+  place_crop(image, record.plan);
+  write_exr(run.output, image);
+  if (run.png) write_png(std::filesystem::path(run.output).replace_extension(".png"), image);
+  record.seconds.write = seconds_since(writing);
+  record.seconds.total = seconds_since(start);
+  record.libraries = mapped_libraries();
+  if (!run.stats.empty()) write_stats(run.stats, record);
+  if (!run.quiet)
+    fmt::print(stderr, "{}: load {:.2f} s, render {:.2f} s, write {:.2f} s\n", run.output.string(),
+               record.seconds.load, record.seconds.render, record.seconds.write);
+  return 0;
+}
+
+}  // namespace nook

@@ -1,0 +1,289 @@
+// nook study SCENE: what accuracy costs in time, measured; JSON, CSV and a page.
+#include <fmt/format.h>
+#include <limits>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "app/commands.hpp"
+#include "app/interrupt.hpp"
+#include "app/options/scene_options.hpp"
+#include "base/error.hpp"
+#include "base/version.hpp"
+#include "bvh/bvh.hpp"
+#include "image/exr.hpp"
+#include "mesh/mesh_analysis.hpp"
+#include "plan/scene_mesh.hpp"
+#include "plan/tree_options.hpp"
+#include "report/study_page.hpp"
+#include "scene/names.hpp"
+#include "trace/occlusion_tracer.hpp"
+
+namespace nook {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct StudyOptions {
+  SceneOptions scene;
+  DeviceOptions device;
+  fs::path folder, reference;
+  std::optional<fs::path> chart_js;
+  double budget = 120;
+  std::vector<std::string> samplers, samplings;
+  std::uint32_t max_spp = 1024;
+  bool gallery = true, no_plots = false, quiet = false;
+};
+
+// The budget's parts. Loading and building come out of what the runs have.
+constexpr double reference_share = 0.18, gallery_share = 0.22, runs_share = 0.5;
+
+template <class T>
+std::vector<T> chosen(const char* flag, const std::vector<std::string>& words, NameTable<T> names) {
+  std::vector<T> values;
+  for (const std::string& word : words) {
+    const auto value = value_of(names, word);
+    if (!value) throw Error(ExitCode::usage, fmt::format("{}: unknown value '{}'", flag, word));
+    values.push_back(*value);
+  }
+  return values;
+}
+
+StudyChoice choice_of(const StudyOptions& options, EffectKind kind) {
+  StudyChoice choice;
+  choice.samplers = chosen<Sampler>("--samplers", options.samplers, sampler_names);
+  choice.samplings = chosen<Sampling>("--samplings", options.samplings, sampling_names);
+  choice.max_spp = options.max_spp;
+  if (kind != EffectKind::ro)
+    for (const Sampling sampling : choice.samplings)
+      if (sampling == Sampling::lobe || sampling == Sampling::mixture)
+        throw Error(ExitCode::usage, fmt::format("--samplings: {} needs an RO scene", name_of(sampling)));
+  return choice;
+}
+
+// A size of about `pixels` with the scene's aspect, never more than the scene's own.
+std::pair<int, int> size_of(const Scene& scene, double pixels) {
+  const double scale = std::min(1.0, std::sqrt(pixels / (double(scene.width) * scene.height)));
+  return {std::max(8, int(std::lround(scene.width * scale))),
+          std::max(8, int(std::lround(scene.height * scale)))};
+}
+
+StudyReference given_reference(const fs::path& file, int width, int height) {
+  const Image image = read_exr(file);
+  if (image.width != width || image.height != height)
+    throw Error(ExitCode::scene, fmt::format("{}: is {}x{}, the study is {}x{} (--size sets it)",
+                                             file.string(), image.width, image.height, width, height));
+  const auto plane = [&](const char* name) -> const std::vector<float>* {
+    const Channel* channel = image.find(name);
+    return channel ? std::get_if<std::vector<float>>(&channel->values) : nullptr;
+  };
+  if (!plane("R")) throw Error(ExitCode::scene, fmt::format("{}: has no channel R", file.string()));
+  StudyReference reference;
+  reference.image = *plane("R");
+  if (const auto* variance = plane("AO.variance")) reference.variance = *variance;
+  reference.description = file.string();
+  if (const auto spp = image.metadata.find("nook/spp"); spp != image.metadata.end())
+    reference.spp = std::strtoull(spp->second.c_str(), nullptr, 10);
+  return reference;
+}
+
+// DIR/reference.exr, if it is of this study; otherwise made and kept there.
+StudyReference cached_reference(const StudyScene& scene, const fs::path& file, const std::string& identity,
+                                double seconds) {
+  std::error_code code;
+  if (fs::exists(file, code)) {
+    const Image image = read_exr(file);
+    const auto made_for = image.metadata.find("nook/study");
+    if (made_for != image.metadata.end() && made_for->second == identity) {
+      StudyReference reference = given_reference(file, scene.width(), scene.height());
+      reference.description = image.metadata.at("nook/description");
+      reference.seconds = std::strtod(image.metadata.at("nook/seconds_render").c_str(), nullptr);
+      return reference;
+    }
+  }
+  StudyReference reference = scene.reference(seconds);
+  Image image;
+  image.width = scene.width();
+  image.height = scene.height();
+  for (const char* channel : {"R", "G", "B"}) image.channels.push_back({channel, reference.image});
+  image.channels.push_back({"AO.variance", reference.variance});
+  image.metadata = {{"nook/study", identity},
+                    {"nook/description", reference.description},
+                    {"nook/spp", std::to_string(reference.spp)},
+                    {"nook/seconds_render", fmt::format("{:.3f}", reference.seconds)}};
+  write_exr(file, image);
+  return reference;
+}
+
+std::string distance_text(const EffectPlan& effect) {
+  return std::isinf(effect.max_distance) ? "unlimited"
+                                         : fmt::format("{:.6g} world units", effect.max_distance);
+}
+
+StudyFacts facts_of(const StudyOptions& options, const Scene& scene, const StudyScene& study,
+                    const TriangleMesh& mesh, const DeviceInfo& device) {
+  const Effect& effect = study.effect().effect;
+  std::string command = fmt::format("nook study {} --budget {} --seed {}", options.scene.scene.string(),
+                                    options.budget, scene.seed);
+  if (!options.samplers.empty()) command += fmt::format(" --samplers {}", fmt::join(options.samplers, ","));
+  if (!options.samplings.empty())
+    command += fmt::format(" --samplings {}", fmt::join(options.samplings, ","));
+  if (options.scene.size) command += " --size " + *options.scene.size;
+  return {{"scene", options.scene.scene.filename().string()},
+          {"effect",
+           fmt::format("{}, distance {}{}", name_of(effect.kind), distance_text(study.effect()),
+                       effect.kind == EffectKind::ro ? fmt::format(", exponent {}", effect.exponent) : "")},
+          {"size", fmt::format("{}x{}", study.width(), study.height())},
+          {"screen-space radius", std::isinf(study.effect().max_distance) || effect.kind == EffectKind::ro
+                                      ? "no screen-space methods: the effect has no radius"
+                                      : distance_text(study.effect())},
+          {"triangles", std::to_string(mesh.triangles.size())},
+          {"device", device.name},
+          {"driver", device.platform_name + " " + device.driver},
+          {"command", command},
+          {"seeds", fmt::format("run r of a point has seed {} + r", scene.seed + 1)},
+          {"nook", std::string(version)},
+          {"scene hash", scene_hash(scene)},
+          {"mesh hash", mesh_hash(mesh)}};
+}
+
+int study(const StudyOptions& options) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  const auto say = [&](const std::string& text) {
+    if (!options.quiet) fmt::print(stderr, "{:6.1f} s  {}\n", elapsed(), text);
+  };
+  const Scene scene = options.scene.load();
+  const PlotLibrary library = options.no_plots ? PlotLibrary{} : load_plot_library(options.chart_js);
+  if (!options.no_plots && library.script.empty())
+    fmt::print(stderr,
+               "warning: tables instead of plots on the page: Debian's libjs-chart.js is not installed\n");
+  const StudyChoice choice = choice_of(options, scene.effects.front().kind);
+  const fs::path folder =
+      options.folder.empty() ? fs::path(options.scene.scene.stem().string() + "_study") : options.folder;
+  std::error_code code;
+  fs::create_directories(folder, code);
+  if (!fs::is_directory(folder, code))
+    throw Error(ExitCode::output, fmt::format("{}: cannot make the folder", folder.string()));
+
+  const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene, false));
+  const Device device = options.device.open();
+  // A study's rays are many.
+  const Bvh bvh =
+      build_bvh(mesh, tree_options(device.info(), make_plan(scene, mesh),
+                                   std::numeric_limits<double>::infinity(), options.device.threads));
+  catch_interrupts();
+
+  // As many pixels as the budget can afford; the size of an earlier study in the folder, so that it can go
+  // on.
+  const StudyScene pilot(device, scene, mesh, bvh, size_of(scene, 20000).first, size_of(scene, 20000).second);
+  const double rate = pilot.samples_per_second();
+  std::pair<int, int> size{scene.width, scene.height};
+  const fs::path json = folder / "study.json", reference_file = folder / "reference.exr";
+  const std::vector<std::string> identity = {"scene",  "effect", "size",       "device",
+                                             "driver", "nook",   "scene hash", "mesh hash"};
+  if (!options.scene.size) {
+    StudyChoice counted = choice;
+    counted.predictions = counted.ssao = false;
+    size = size_of(scene, std::max(2000.0, rate * options.budget * runs_share /
+                                               samples_per_pixel(pilot.methods(counted))));
+    if (fs::exists(json, code) && fs::exists(reference_file, code)) {
+      const Image before = read_exr(reference_file);
+      size = {before.width, before.height};
+    }
+  }
+  const StudyScene at_size(device, scene, mesh, bvh, size.first, size.second);
+  const StudyFacts facts = facts_of(options, scene, at_size, mesh, device.info());
+  say(fmt::format("{} {}x{}, {:.2f} million camera samples a second", name_of(at_size.effect().effect.kind),
+                  size.first, size.second, rate * 1e-6));
+  std::string cache_key;
+  for (const auto& [name, text] : facts)
+    if (std::find(identity.begin(), identity.end(), name) != identity.end())
+      cache_key += name + "=" + text + ";";
+  StudyReference reference =
+      options.reference.empty()
+          ? cached_reference(at_size, reference_file, cache_key, reference_share * options.budget)
+          : given_reference(options.reference, size.first, size.second);
+  say(fmt::format("reference: {}", reference.description));
+
+  Study made(
+      at_size.methods(choice), std::move(reference),
+      {.seconds = std::max(0.1, (1 - gallery_share) * options.budget - elapsed()), .seed = scene.seed + 1});
+  made.resume(read_study_points(json, facts, identity));
+  say(fmt::format("{} methods, {:.0f} % of their runs are there", made.methods().size(),
+                  100 * made.progress()));
+  double last_saved = elapsed(), last_said = elapsed();
+  const bool finished = made.run([&](const Study& s) {
+    if (elapsed() - last_saved > 10) {
+      write_study_json(json, s, facts);
+      last_saved = elapsed();
+    }
+    if (elapsed() - last_said > 5) {
+      say(fmt::format("{:.0f} % of the runs", 100 * s.progress()));
+      last_said = elapsed();
+    }
+    return !interrupted();
+  });
+  write_study_json(json, made, facts);
+  write_study_csv(folder / "study.csv", made);
+  if (!finished)
+    throw Error(ExitCode::interrupted,
+                fmt::format("interrupted; the same command goes on from {}", json.string()));
+  say(fmt::format("{:.0f} % of the runs", 100 * made.progress()));
+  if (const std::size_t missing = made.methods_without_runs())
+    fmt::print(stderr,
+               "warning: the budget of {} s ended before {} of {} methods had a run (building their kernels "
+               "counts); the same command goes on from {}\n",
+               options.budget, missing, made.methods().size(), json.string());
+
+  Gallery gallery;
+  if (options.gallery) {
+    const double share = std::max(0.1, std::min(gallery_share * options.budget, options.budget - elapsed()));
+    std::tie(gallery.width, gallery.height) =
+        size_of(scene, std::clamp(rate * share / 3500, 2000.0, 480.0 * 360.0));
+    const StudyScene picture(device, scene, mesh, bvh, gallery.width, gallery.height);
+    gallery.pictures = make_gallery(picture, share, scene.seed + 1);
+    say(fmt::format("pictures of {}x{}", gallery.width, gallery.height));
+  }
+  const float exponent = at_size.effect().effect.exponent;
+  const fs::path page = folder / "index.html";
+  write_study_page(page, made, facts, gallery, warp_patterns(device, exponent), library);
+  say(fmt::format("{}", page.string()));
+  return 0;
+}
+
+}  // namespace
+
+void add_study_command(CLI::App& app, Command& chosen_command) {
+  auto options = std::make_shared<StudyOptions>();
+  CLI::App* command = app.add_subcommand(
+      "study", "Measure what accuracy costs in time; writes study.json, study.csv and index.html");
+  options->scene.add_to(*command);
+  options->device.add_to(*command);
+  command->add_option("-o,--output", options->folder,
+                      "Folder; default: SCENE_study here. A study that is there goes on");
+  command->add_option("--budget", options->budget, "Seconds, about; default 120")
+      ->check(CLI::Range(1.0, 1e6));
+  command->add_option("--samplers", options->samplers, "Point sequences to compare; default: all")
+      ->delimiter(',');
+  command->add_option("--samplings", options->samplings, "Distributions to compare; default: all")
+      ->delimiter(',');
+  command->add_option("--max-spp", options->max_spp, "Largest number of camera rays a pixel; default 1024")
+      ->check(CLI::Range(1, 1 << 20));
+  command->add_option("--reference", options->reference,
+                      "EXR to measure errors against (R, and AO.variance if there is one)");
+  command->add_flag("--gallery,!--no-gallery", options->gallery, "Pictures on the page; on by default");
+  CLI::Option* no_plots =
+      command->add_flag("--no-plots", options->no_plots, "Tables instead of plots on the page");
+  command
+      ->add_option(
+          "--chart-js", options->chart_js,
+          fmt::format("Chart.js 3 for the page's plots; default: {}, if it is there", debian_chart_js))
+      ->excludes(no_plots);
+  command->add_flag("--quiet", options->quiet, "Say nothing but errors");
+  command->callback([options, &chosen_command] { chosen_command = [options] { return study(*options); }; });
+}
+
+}  // namespace nook

@@ -1,0 +1,131 @@
+#include "app/options/render_options.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "base/memory.hpp"
+#include "scene/names.hpp"
+
+namespace nook {
+namespace {
+
+namespace fs = std::filesystem;
+
+// One file for each output: the last one written would replace the others.
+void check_outputs(const RenderOptions& options) {
+  std::vector<fs::path> files;
+  for (const fs::path& file : {options.output, options.stats, options.checkpoints.checkpoint})
+    if (!file.empty()) files.push_back(fs::absolute(file).lexically_normal());
+  std::sort(files.begin(), files.end());
+  const auto twice = std::adjacent_find(files.begin(), files.end());
+  if (twice != files.end())
+    throw Error(ExitCode::usage, fmt::format("{}: two outputs cannot share a file", twice->string()));
+  if (options.png && options.output.extension() == ".png")
+    throw Error(ExitCode::usage, fmt::format("{}: is the preview's name; name an .exr file, or say --no-png",
+                                             options.output.string()));
+}
+
+}  // namespace
+
+void RenderOptions::add_to(CLI::App& command) {
+  scene.add_to(command);
+  device.add_to(command);
+  checkpoints.add_to(command);
+  target.add_to(command);
+  command.add_option("-o,--output", output,
+                     "EXR file; default: beside the scene, .exr for .toml. With --shard: the part's file");
+  command.add_option("--aov", aovs, "More channels: normal,position,depth,variance,samples,alpha")
+      ->delimiter(',');
+  command.add_option("--progress", progress, "auto, plain, json or none (to stderr)")
+      ->envname("NOOK_PROGRESS");
+  command.add_option("--frames", frames, "SSAO: draw the frame so often, and report the fastest")
+      ->check(CLI::Range(1, 100000));
+  command
+      .add_option(
+          "--turntable", turntable,
+          "Render so many pictures along a full turn of the eye about `at`: out_0000.exr, out_0001.exr, ...")
+      ->check(CLI::Range(1, 100000));
+  command.add_option("--stats", stats, "Write the run record as JSON");
+  command.add_flag("--png,!--no-png", png,
+                   "Write a PNG preview beside the EXR (sRGB encoded); on by default");
+  command.add_flag("--denoise", denoise,
+                   "Filter what is traced: less noise, some bias (docs/effects.md); off by default");
+  command.add_flag("--quiet", quiet, "Say nothing but errors");
+  command.add_flag("--print-config", print_config,
+                   "Print the scene with every override and default, render nothing");
+}
+
+StopTarget RenderOptions::check(const Scene& loaded) const {
+  check_outputs(*this);
+  const StopTarget stop = target.resolve(loaded, scene.spp.has_value());
+  if (stop.any()) check_samples(loaded, stop.max_spp);
+  scene.check_applicable(loaded);
+  const auto any = [&](auto kind) {
+    return std::any_of(loaded.effects.begin(), loaded.effects.end(),
+                       [&](const Effect& e) { return kind(e.kind); });
+  };
+  const bool sampled = any(is_traced);
+  const bool screen_space = any([](EffectKind kind) { return kind == EffectKind::ssao; });
+  const bool shard = checkpoints.share().has_value();
+  const bool kept = shard || checkpoints.resume || !checkpoints.file(scene.scene, output).empty();
+  const auto fail = [](const char* why) { throw Error(ExitCode::usage, why); };
+  if (!sampled && stop.any()) fail("--error, --time: the scene has no effect with samples");
+  if (!sampled && denoise) fail("--denoise: the scene has no effect with samples");
+  if (loaded.denoise && !stop.any() && std::uint64_t(loaded.spp) * loaded.directions < 2)
+    fail("--denoise: needs two samples a pixel or more; their variance steers the filter");
+  if (loaded.denoise && shard)
+    fail("--denoise, --shard: a share of a picture is not denoised; render it whole, or leave denoise out");
+  if (!sampled && kept) fail("--checkpoint, --resume, --shard: the scene has no effect with samples to keep");
+  if (screen_space && shard)
+    fail("--shard: a screen-space layer cannot be merged; render it with a scene of its own");
+  if (!screen_space && frames) fail("--frames: the scene has no screen-space effect to draw again");
+  if (stop.error && shard) fail("--error: a share of a picture (--shard) has a fixed number of samples");
+  if (stop.seconds && shard) fail("--time: a share of a picture (--shard) has a fixed number of samples");
+  if (stop.error && !AdaptiveRender::can_use(loaded.sampler))
+    throw Error(ExitCode::usage,
+                fmt::format("--error: works with sampler independent, sobol or halton, not {}",
+                            name_of(loaded.sampler)));
+  if (target.dry_run && (kept || !stats.empty()))
+    fail("--dry-run: renders nothing that --checkpoint, --resume, --shard or --stats could keep");
+  return stop;
+}
+
+std::filesystem::path RenderOptions::picture_file() const {
+  return output.empty() ? fs::path(scene.scene).replace_extension(".exr") : output;
+}
+
+void check_writable(const fs::path& file) {
+  std::error_code code;
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder, code))
+    throw Error(ExitCode::output,
+                fmt::format("{}: the folder {} does not exist", file.string(), folder.string()));
+  if (fs::is_directory(file, code))
+    throw Error(ExitCode::output, fmt::format("{}: is a folder", file.string()));
+  if (fs::exists(file, code) && !fs::is_regular_file(file, code))
+    throw Error(ExitCode::output, fmt::format("{}: not a regular file", file.string()));
+  if (access(folder.c_str(), W_OK) != 0)
+    throw Error(ExitCode::output,
+                fmt::format("{}: the folder {} is not writable", file.string(), folder.string()));
+}
+
+// A film has 28 bytes a pixel and effect, and what a stop rule remembers; render order, pixel list and
+// positions 4 each; the picture 4 a channel, held twice when it is written, and up to three channels an
+// effect or AOV. A denoiser reads the pixels' surface points, and holds 7 floats a pixel of them twice, and 7
+// planes of values.
+void check_memory(const Scene& scene, std::size_t aovs, std::size_t bytes_a_pixel_of_rule) {
+  const PixelRect window = scene.crop.value_or(PixelRect{0, 0, scene.width, scene.height});
+  const std::uint64_t pixels = std::uint64_t(window.width()) * std::uint64_t(window.height());
+  const std::uint64_t bytes_a_pixel_of_denoiser =
+      scene.denoise ? sizeof(SurfacePoint) + 2 * 4 * 7 + 4 * 7 : 0;
+  const std::uint64_t bytes_a_pixel = (28 + bytes_a_pixel_of_rule) * scene.effects.size() + 12 +
+                                      2 * 4 * 3 * (scene.effects.size() + aovs) + bytes_a_pixel_of_denoiser;
+  check_memory(pixels * bytes_a_pixel,
+               fmt::format("a picture of {}x{} pixels", window.width(), window.height()),
+               "render it in pieces with --crop");
+}
+
+}  // namespace nook

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/options/checkpoints.hpp"
+#include "app/options/scene_options.hpp"
+#include "app/options/target_options.hpp"
+
+namespace nook {
+
+/// What `nook render` can be told.
+struct RenderOptions {
+  SceneOptions scene;
+  DeviceOptions device;
+  CheckpointOptions checkpoints;
+  TargetOptions target;
+  std::filesystem::path output, stats;
+  std::string progress = "auto";
+  std::vector<std::string> aovs;
+  std::optional<unsigned> frames;
+  unsigned turntable = 0;  ///< pictures along a turn; 0: one picture
+  bool png = true, quiet = false, print_config = false, denoise = false;
+
+  void add_to(CLI::App& command);
+  /// How long to render `scene`, by its own keys and the flags. Throws Error(usage) for flags that the scene
+  /// cannot honour, and for those that exclude one another; before anything is loaded.
+  StopTarget check(const Scene& scene) const;
+  /// The EXR, if not a part is written.
+  std::filesystem::path picture_file() const;
+};
+
+/// Throws Error(output) unless a file could be made there: tried before the work, not after it.
+void check_writable(const std::filesystem::path& file);
+
+/// What a stop rule remembers of a pixel and effect, at most: nine planes and a variance.
+inline constexpr std::size_t largest_rule_bytes = 10 * 8;
+
+/// Throws Error(device) if the picture needs more memory than there is. aovs: channels asked for besides.
+void check_memory(const Scene& scene, std::size_t aovs, std::size_t bytes_a_pixel_of_rule);
+
+}  // namespace nook

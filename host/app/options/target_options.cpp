@@ -1,0 +1,108 @@
+#include "app/options/target_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "adaptive/forecast.hpp"
+#include "base/error.hpp"
+
+namespace nook {
+
+namespace {
+
+constexpr double errors_forecast[] = {.05, .02, .01, .005};
+
+}  // namespace
+
+void TargetOptions::add_to(CLI::App& command) {
+  const CLI::Range samples(1, 1 << 26);
+  const char* group = "Stop rules";
+  command
+      .add_option("--error", error, "Render until every pixel's standard error is this; spp follows from it")
+      ->check(CLI::Range(1e-4, 1.0))
+      ->envname("NOOK_ERROR")
+      ->group(group);
+  command.add_option("--confidence", confidence, "Of the intervals behind --error; default 0.95")
+      ->check(CLI::Range(0.5, 0.9999))
+      ->envname("NOOK_CONFIDENCE")
+      ->group(group);
+  command
+      .add_option("--time", seconds,
+                  "Seconds from the start of the command after which the picture is written, as good as it "
+                  "is by then")
+      ->check(CLI::Range(0.05, 1e7))
+      ->envname("NOOK_TIME")
+      ->group(group);
+  command.add_option("--min-spp", min_spp, "With --error: camera rays before a pixel may stop; default 16")
+      ->check(samples)
+      ->group(group);
+  command
+      .add_option("--max-spp", max_spp, "With --error or --time: camera rays a pixel at most; default 65536")
+      ->check(samples)
+      ->group(group);
+  command
+      .add_flag("--dry-run", dry_run,
+                "With --error: a pilot of a second or two, then the predicted time and spp; renders nothing")
+      ->group(group);
+}
+
+StopTarget TargetOptions::resolve(const Scene& scene, bool spp) const {
+  const auto fail = [](const std::string& why) { throw Error(ExitCode::usage, why); };
+  // CLI::Range lets it pass.
+  const std::pair<const char*, std::optional<double>> given[] = {
+      {"--error", error}, {"--time", seconds}, {"--confidence", confidence}};
+  for (const auto& [flag, value] : given)
+    if (value && std::isnan(*value)) fail(fmt::format("{}: 'nan' is not a number", flag));
+  if (spp && (error || seconds))
+    fail(fmt::format("--spp: excludes {}, which --max-spp bounds", error ? "--error" : "--time"));
+  StopTarget stop = spp ? StopTarget{} : scene.stop;
+  if (error) stop.error = error;
+  if (seconds) stop.seconds = seconds;
+  if (dry_run && !stop.error) fail("--dry-run: needs --error");
+  if (confidence && !stop.error) fail("--confidence: goes with --error");
+  if (min_spp && !stop.error) fail("--min-spp: goes with --error");
+  if (max_spp && !stop.any()) fail("--max-spp: goes with --error or --time");
+  if (confidence) stop.confidence = *confidence;
+  if (max_spp) stop.max_spp = *max_spp;
+  if (min_spp && *min_spp > stop.max_spp)
+    fail(fmt::format("--min-spp: {} is above the largest number of camera rays, {}", *min_spp, stop.max_spp));
+  stop.min_spp = std::min(min_spp.value_or(stop.min_spp), stop.max_spp);
+  return stop;
+}
+
+ErrorTarget error_target(const StopTarget& stop) {
+  return {*stop.error, stop.confidence, stop.min_spp, stop.max_spp};
+}
+
+Plan plan_to_forecast(const StopTarget& stop, const Plan& plan) {
+  StopTarget least = stop;
+  for (const double error : errors_forecast) least.error = std::min(*least.error, error);
+  return plan_until(least, plan);
+}
+
+Plan plan_until(const StopTarget& stop, const Plan& plan) {
+  if (stop.error) return AdaptiveRender::plan_for(plan, error_target(stop));
+  Plan made = plan;
+  if (stop.seconds) {
+    made.spp = std::max(2u, stop.max_spp);
+    made.replicate_directions = false;
+  }
+  return made;
+}
+
+void print_forecast(OcclusionTracer& tracer, const Plan& plan, const StopTarget& stop) {
+  std::vector<double> errors(std::begin(errors_forecast), std::end(errors_forecast));
+  if (std::find(errors.begin(), errors.end(), *stop.error) == errors.end()) errors.push_back(*stop.error);
+  std::sort(errors.begin(), errors.end(), std::greater<>());
+  const Forecast made = forecast(tracer, plan, error_target(stop), errors, 1.5);
+  fmt::print("{:>10}  {:>10}  {:>10}\n", "error", "spp", "seconds");
+  for (const ForecastRow& row : made.rows)
+    fmt::print("{:>10}  {:>10.0f}  {:>10.2f}\n", row.error, row.spp, row.seconds);
+  fmt::print("pilot: {:.2f} s, {:.2f} million camera samples a second\n", made.pilot_seconds,
+             made.samples_per_second * 1e-6);
+}
+
+}  // namespace nook

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "kernels/shared/cut_out.h"
+#include "mesh/triangle_mesh.hpp"
+
+namespace nook {
+
+static_assert(sizeof(CutTriangle) == 32 && offsetof(CutTriangle, map) == 24);
+static_assert(sizeof(OpacityMapPlace) == 16);
+
+/// Opacity maps and the triangles in them, as the kernels read them. A triangle without texture coordinates
+/// is opaque.
+struct CutOuts {
+  std::vector<CutTriangle> triangles;  ///< by triangle
+  std::vector<OpacityMapPlace> maps;
+  std::vector<std::uint8_t> opacity;  ///< all maps' texels
+};
+CutOuts make_cut_outs(const TriangleMesh& mesh);
+
+}  // namespace nook

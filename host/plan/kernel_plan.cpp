@@ -1,0 +1,36 @@
+#include "plan/kernel_plan.hpp"
+
+namespace nook {
+
+KernelPlan primary_kernel(const Plan& plan) {
+  KernelPlan kernel{"stage/primary.cl", "primary", {}};
+  kernel.options.define("SAMPLER", long(plan.sampler)).define("VERTEX_NORMALS", plan.vertex_normals);
+  if (plan.materials) kernel.options.define("MATERIALS", 1);
+  if (plan.cutouts) kernel.options.define("CUT_OUTS", 1);
+  if (plan.instances) kernel.options.define("INSTANCES", 1);
+  return kernel;
+}
+
+KernelPlan occlusion_kernel(const Plan& plan, const EffectPlan& effect) {
+  KernelPlan kernel{"stage/occlusion.cl", "occlusion", {}};
+  kernel.options.define("EFFECT", effect.effect.kind == EffectKind::ro)
+      .define("SAMPLING", long(effect.effect.sampling))
+      .define("SAMPLER", long(plan.sampler))
+      .define("REPLICATE_DIRECTIONS", plan.replicate_directions);
+  const Effect& e = effect.effect;
+  if (e.kind == EffectKind::ro && e.exponent_of_material) kernel.options.define("EXPONENT_OF_MATERIAL", 1);
+  if (e.falloff != Falloff::none) kernel.options.define("FALLOFF", long(e.falloff));
+  if (e.min_distance > 0) kernel.options.define("MIN_DISTANCE", 1);
+  if (e.kind != EffectKind::ro && e.cone_angle < 90) kernel.options.define("CONE", 1);
+  if (e.side != Side::normal) kernel.options.define("SIDE", long(e.side));
+  if (e.kind == EffectKind::bent) kernel.options.define("BENT", 1);
+  if (effect.reach) kernel.options.define("REACH", 1);
+  if (!effect.receivers.empty()) kernel.options.define("RECEIVERS", 1);
+  if (e.only_self) kernel.options.define("ONLY_SELF", 1);
+  if (plan.cutouts) kernel.options.define("CUT_OUTS", 1);
+  if (plan.instances) kernel.options.define("INSTANCES", 1);
+  if (e.kind == EffectKind::bent && e.view_space) kernel.options.define("BENT_VIEW", 1);
+  return kernel;
+}
+
+}  // namespace nook

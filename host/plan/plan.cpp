@@ -1,0 +1,200 @@
+#include "plan/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.hpp"
+#include "plan/scene_camera.hpp"
+#include "scene/names.hpp"
+
+namespace nook {
+namespace {
+
+// The largest weight that kernels/effect/ambient.cl and kernels/effect/reflection.cl can return.
+double weight_bound(const Effect& effect, double n) {
+  if (effect.kind != EffectKind::ro)
+    return effect.sampling == Sampling::sphere ? 4 : effect.sampling == Sampling::hemisphere ? 2 : 1;
+  switch (effect.sampling) {
+    case Sampling::cosine:
+      return std::max(1.0, (n + 2) / 2);
+    case Sampling::hemisphere:
+      return n + 2;
+    case Sampling::sphere:
+      return 2 * (n + 2);
+    case Sampling::mixture:
+      return 4;
+    default:
+      return 2;
+  }
+}
+
+bool any_lobe_of_material(const Scene& scene) {
+  return std::any_of(scene.effects.begin(), scene.effects.end(),
+                     [](const Effect& e) { return e.kind == EffectKind::ro && e.exponent_of_material; });
+}
+
+const Effect& main_effect(const Scene& scene) {
+  const auto found = std::find_if(scene.effects.begin(), scene.effects.end(),
+                                  [](const Effect& e) { return e.kind != EffectKind::ssao; });
+  return found == scene.effects.end() ? scene.effects.front() : *found;
+}
+
+// Asking pays where the answer is often no: within a part of the scene's radius.
+constexpr float reach_of_radius = 0.25f;
+
+// The effect's own name, else its type, numbered if that is taken; an unnamed main effect needs none (bent
+// normals have channels beyond R, G, B).
+std::string layer_prefix(const Scene& scene, const Effect& effect, const std::vector<LayerPlan>& before) {
+  if (!effect.name.empty()) return effect.name + ".";
+  if (&effect == &main_effect(scene) && effect.kind != EffectKind::bent) return "";
+  const std::string type(name_of(effect.kind));
+  const auto taken = [&](const std::string& name) {
+    return std::any_of(scene.effects.begin(), scene.effects.end(),
+                       [&](const Effect& e) { return e.name == name; }) ||
+           std::any_of(before.begin(), before.end(),
+                       [&](const LayerPlan& l) { return l.prefix == name + "."; });
+  };
+  std::string name = type;
+  for (int number = 2; taken(name); ++number) name = type + std::to_string(number);
+  return name + ".";
+}
+
+std::vector<float> exponents_of(const Scene& scene, const TriangleMesh& mesh) {
+  std::vector<float> exponents;
+  for (const Material& material : mesh.materials) exponents.push_back(material.phong_exponent);
+  if (std::none_of(exponents.begin(), exponents.end(), [](float n) { return n >= 0; }))
+    throw Error(ExitCode::scene,
+                scene.file.string() +
+                    ": exponent = \"material\" needs a material with a lobe (Ns in the MTL file), and " +
+                    scene.mesh_file.string() + " has none");
+  return exponents;
+}
+
+// Where in `sets` the set is, from 1; appended if it is new.
+std::size_t index_of_set(std::vector<std::uint32_t> set, std::vector<std::vector<std::uint32_t>>& sets) {
+  const auto found = std::find(sets.begin(), sets.end(), set);
+  const auto index = std::size_t(found - sets.begin()) + 1;
+  if (found == sets.end()) sets.push_back(std::move(set));
+  return index;
+}
+
+// Settings that exclude one another, wherever they came from: scene file or command line.
+void check(const Scene& scene, const EffectPlan& planned) {
+  const Effect& effect = planned.effect;
+  const auto reject = [&](const std::string& what) {
+    throw Error(ExitCode::scene, scene.file.string() + ": " + what);
+  };
+  if (effect.falloff != Falloff::none && !(planned.max_distance > 0 && std::isfinite(planned.max_distance)))
+    reject("falloff = \"" + std::string(name_of(effect.falloff)) +
+           "\" needs a max_distance above 0, and a finite one");
+  if (effect.min_distance > 0 && !(effect.min_distance < planned.max_distance))
+    reject("min_distance must be below max_distance");
+  if (effect.cone_angle < 90 && effect.sampling == Sampling::sphere)
+    reject("cone_angle needs sampling_type cosine or hemisphere");
+}
+
+}  // namespace
+
+bool Plan::only_self() const {
+  return std::any_of(effects.begin(), effects.end(), [](const EffectPlan& e) { return e.effect.only_self; });
+}
+
+bool Plan::asks_reach() const {
+  return std::any_of(effects.begin(), effects.end(), [](const EffectPlan& e) { return e.reach; });
+}
+
+void check_samples(const Scene& scene, std::uint64_t spp) {
+  const std::uint64_t samples = spp * scene.directions;
+  if (samples > most_samples_per_pixel)
+    throw Error(ExitCode::scene,
+                fmt::format("{}: {} camera rays x {} directions are {} samples a pixel, at most {}",
+                            scene.file.string(), spp, scene.directions, samples, most_samples_per_pixel));
+}
+
+MeshAttributes needed_attributes(const Scene& scene, bool surface) {
+  MeshAttributes needs{.normals = surface};
+  for (const Effect& effect : scene.effects)
+    needs.normals =
+        needs.normals || (effect.kind != EffectKind::position && effect.kind != EffectKind::depth);
+  needs.materials = any_lobe_of_material(scene) || scene.cutouts;
+  needs.uvs = scene.cutouts;
+  for (const Effect& effect : scene.effects) {
+    const bool names = !effect.occluders.empty() || !effect.receivers.empty();
+    needs.groups = needs.groups || names || effect.only_self;
+    needs.materials = needs.materials || names;
+  }
+  return needs;
+}
+
+float resolve_distance(const Effect& effect, const Bounds3& bounds, bool compat_tinyrender) {
+  switch (effect.max_distance.kind) {
+    case DistanceLimit::Kind::none:
+      return std::numeric_limits<float>::infinity();
+    case DistanceLimit::Kind::value:
+      return effect.max_distance.value;
+    default:
+      if (effect.kind == EffectKind::ro) return std::numeric_limits<float>::infinity();
+      return compat_tinyrender ? 1.5f : 0.5f * bounds.bounding_radius();
+  }
+}
+
+void choose_scales(EffectPlan& effect, float largest_exponent) {
+  effect.weight_bound = weight_bound(effect.effect, largest_exponent);
+  const int bits = std::max(0, int(std::ceil(std::log2(effect.weight_bound))) - 2);
+  effect.sum_scale = std::ldexp(1.0f, 32 - bits);
+  effect.square_scale = std::ldexp(1.0f, 30 - 2 * bits);
+}
+
+Plan make_plan(const Scene& scene, const TriangleMesh& mesh, bool surface) {
+  Plan plan;
+  plan.camera = camera_params(scene, mesh.subject_bounds());
+  plan.width = scene.width;
+  plan.height = scene.height;
+  plan.window = scene.crop.value_or(PixelRect{0, 0, scene.width, scene.height});
+  plan.spp = scene.spp;
+  plan.directions = scene.directions;
+  plan.replicate_directions = scene.spp == 1;
+  plan.sampler = scene.sampler;
+  plan.seed = scene.seed;
+  plan.surface = surface;
+  plan.cutouts = !mesh.opacity_maps.empty();
+  plan.instances = !mesh.instances.empty();
+  if (any_lobe_of_material(scene)) plan.exponents = exponents_of(scene, mesh);
+  plan.materials = !plan.exponents.empty();
+  for (const Effect& effect : scene.effects) {
+    const LayerPlan layer{effect.kind, layer_prefix(scene, effect, plan.layers),
+                          &effect == &main_effect(scene)};
+    if (is_surface(effect.kind)) {
+      plan.surface = true;
+    } else if (effect.kind == EffectKind::ssao) {
+      plan.ssao.push_back(effect.ssao);
+    } else {
+      EffectPlan planned;
+      planned.layer = layer.prefix;
+      planned.effect = effect;
+      planned.max_distance = resolve_distance(effect, mesh.subject_bounds(), scene.compat_tinyrender);
+      planned.reach = planned.max_distance <= reach_of_radius * mesh.subject_bounds().bounding_radius();
+      choose_scales(planned, effect.exponent_of_material
+                                 ? *std::max_element(plan.exponents.begin(), plan.exponents.end())
+                                 : effect.exponent);
+      check(scene, planned);
+      if (!effect.occluders.empty())
+        planned.tree = index_of_set(triangles_of(named_triangles(scene, mesh, "occluders", effect.occluders)),
+                                    plan.occluder_sets);
+      if (!effect.receivers.empty())
+        planned.receivers = named_triangles(scene, mesh, "receivers", effect.receivers);
+      plan.effects.push_back(planned);
+    }
+    plan.layers.push_back(layer);
+  }
+  plan.denoise = scene.denoise && !plan.effects.empty();
+  plan.surface = plan.surface || plan.denoise;
+  plan.vertex_normals =
+      mesh.has_normals() && plan.needs_opencl() && needed_attributes(scene, surface).normals;
+  return plan;
+}
+
+}  // namespace nook

@@ -1,0 +1,153 @@
+#include "plan/plan_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "kernels/shared/task.h"
+#include "plan/cut_outs.hpp"
+#include "plan/surface_sets.hpp"
+#include "scene/names.hpp"
+
+namespace nook {
+namespace {
+
+template <class Vector>
+std::uint64_t bytes_of(const Vector& values) {
+  return values.size() * sizeof(values[0]);
+}
+
+void add_passes(const Plan& plan, const TriangleMesh& mesh, PlanReport& report) {
+  if (plan.needs_opencl())
+    report.passes.push_back(
+        {"tree",
+         plan.instances ? fmt::format("over {} instances that stand for {} triangles, and one for each of {} "
+                                      "meshes, {} triangles",
+                                      mesh.instances.size(), mesh.scene_triangles(), mesh.parts.size(),
+                                      mesh.triangles.size())
+                        : fmt::format("over {} triangles", mesh.triangles.size()),
+         0});
+  for (const auto& set : plan.occluder_sets)
+    report.passes.push_back(
+        {"tree", fmt::format("over the {} triangles of a set of occluders", set.size()), 0});
+  if (plan.only_self())
+    report.passes.push_back({"trees", fmt::format("one for each of {} groups", mesh.groups.size()), 0});
+  const std::uint64_t pixels = std::uint64_t(plan.window.width()) * std::uint64_t(plan.window.height());
+  if (!plan.effects.empty())
+    report.passes.push_back(
+        {"primary",
+         fmt::format("camera rays to surface points, for {}",
+                     plan.effects.size() == 1 ? "one effect"
+                                              : fmt::format("{} effects together", plan.effects.size())),
+         pixels * plan.spp});
+  for (const EffectPlan& effect : plan.effects)
+    report.passes.push_back({"occlusion",
+                             fmt::format("{} into {}", name_of(effect.effect.kind),
+                                         effect.layer.empty() ? "R,G,B" : effect.layer + "*"),
+                             pixels * plan.spp * plan.directions});
+  if (plan.surface) report.passes.push_back({"surface", "the surface at the pixels' centres", pixels});
+  if (plan.denoise) report.passes.push_back({"denoise", "what was traced, on the host", 0});
+  for (std::size_t i = 0; i < plan.ssao.size(); ++i)
+    report.passes.push_back({"ssao", std::string(name_of(plan.ssao[i].method)), 0});
+}
+
+void add_kernels(const Plan& plan, PlanReport& report) {
+  if (!plan.needs_opencl()) return;
+  report.kernels.push_back(primary_kernel(plan));
+  for (const EffectPlan& effect : plan.effects) {
+    KernelPlan kernel = occlusion_kernel(plan, effect);
+    const bool known = std::any_of(report.kernels.begin(), report.kernels.end(), [&](const KernelPlan& k) {
+      return k.file == kernel.file && k.options.text() == kernel.options.text();
+    });
+    if (!known) report.kernels.push_back(std::move(kernel));
+  }
+}
+
+void add_buffers(const Plan& plan, const TriangleMesh& mesh, const Bvh& bvh, PlanReport& report) {
+  report.buffers = {{"tree nodes", bvh.node_bytes()},
+                    {"tree leaves", bytes_of(bvh.leaves)},
+                    {"positions", bytes_of(mesh.positions)},
+                    {"triangles", bytes_of(mesh.triangles)}};
+  if (plan.instances) report.buffers.push_back({"instances", bytes_of(bvh.instances)});
+  if (plan.vertex_normals) {
+    report.buffers.push_back({"normals", bytes_of(mesh.normals)});
+    report.buffers.push_back({"triangle normals", bytes_of(mesh.triangle_normals)});
+  }
+  for (const auto& set : plan.occluder_sets)
+    report.buffers.push_back({"tree of a set", build_bvh(mesh, set, {.width = bvh.width()}).bytes()});
+  if (plan.only_self()) {
+    const GroupTrees groups = build_group_trees(mesh, bvh.width());
+    report.buffers.push_back({"trees of groups", groups.trees.bytes()});
+    report.buffers.push_back({"groups", bytes_of(groups.first) + bytes_of(mesh.triangle_group)});
+  }
+  for (const EffectPlan& effect : plan.effects)
+    if (!effect.receivers.empty()) report.buffers.push_back({"receivers", bytes_of(effect.receivers)});
+  if (plan.cutouts) {
+    const CutOuts cut_outs = make_cut_outs(mesh);
+    report.buffers.push_back({"cut-out triangles", bytes_of(cut_outs.triangles)});
+    report.buffers.push_back({"opacity maps", bytes_of(cut_outs.maps) + bytes_of(cut_outs.opacity)});
+  }
+  if (plan.surface)
+    report.buffers.push_back({"surface tasks", std::uint64_t(plan.window.width()) *
+                                                   std::uint64_t(plan.window.height()) * sizeof(Task)});
+  if (plan.materials) {
+    report.buffers.push_back({"triangle materials", bytes_of(mesh.triangle_material)});
+    report.buffers.push_back({"exponents", bytes_of(plan.exponents)});
+  }
+}
+
+void add_left_out_rays(const Plan& plan, const TriangleMesh& mesh, PlanReport& report) {
+  auto out = [&](std::string why) { report.left_out.push_back(std::move(why)); };
+  if (plan.effects.empty()) return;
+  out("no occlusion rays where a camera ray hits nothing");
+  for (const EffectPlan& effect : plan.effects)
+    if (effect.reach)
+      out(fmt::format("no rays from points with nothing within {:.9g} of them ({})", effect.max_distance,
+                      effect.layer.empty()
+                          ? name_of(effect.effect.kind)
+                          : std::string_view(effect.layer).substr(0, effect.layer.size() - 1)));
+  const bool below = std::any_of(plan.effects.begin(), plan.effects.end(), [](const EffectPlan& e) {
+    return e.effect.kind == EffectKind::ro || e.effect.sampling == Sampling::sphere;
+  });
+  if (below) out("no ray for a direction under the horizon of the shading normal");
+  for (std::size_t m = 0; m < plan.exponents.size(); ++m)
+    if (plan.exponents[m] < 0)
+      out(fmt::format("no RO rays for material {}: no lobe", mesh.materials[m].name));
+}
+
+void add_left_out(const Scene& scene, const Plan& plan, const TriangleMesh& mesh, PlanReport& report) {
+  auto out = [&](std::string why) { report.left_out.push_back(std::move(why)); };
+  const MeshAttributes read = needed_attributes(scene, plan.surface);
+  if (!plan.needs_opencl()) out("no OpenCL, no kernels, no tree: only SSAO is asked for");
+  if (plan.needs_opencl() && plan.effects.empty()) out("no occlusion rays: no effect asks for any");
+  if (plan.ssao.empty()) out("no OpenGL: no SSAO is asked for");
+  if (!read.normals) out("no vertex normals: no effect reads them");
+  if (read.normals && !mesh.has_normals()) out("no vertex normals: the mesh has none");
+  if (!read.uvs) out("no texture coordinates: no effect reads them");
+  if (!read.materials) out("no materials: no effect reads them");
+  if (!read.groups) out("no groups: no effect reads them");
+  if (plan.needs_opencl() && !scene.cutouts) out("no cut-outs: the scene does not ask for them (cutouts)");
+  if (scene.cutouts && !plan.cutouts)
+    out("no cut-outs, no texture is read: no material has an opacity map (map_d)");
+  if (plan.cutouts && !plan.ssao.empty()) out("SSAO draws triangles whole: no cut-outs there");
+  if (!plan.effects.empty() && !plan.denoise) out("no denoiser: the scene does not ask for it");
+  if (plan.instances) out("no copies of instances: a ray goes through the trees of their meshes");
+  if (plan.needs_opencl() && !mesh.why_copies.empty())
+    out("no tree over instances, they are copies: " + mesh.why_copies);
+  add_left_out_rays(plan, mesh, report);
+}
+
+}  // namespace
+
+PlanReport report_plan(const Scene& scene, const Plan& plan, const TriangleMesh& mesh, const Bvh* bvh) {
+  PlanReport report;
+  add_passes(plan, mesh, report);
+  add_kernels(plan, report);
+  if (bvh) add_buffers(plan, mesh, *bvh, report);
+  if (plan.needs_opencl()) report.libraries.push_back("OpenCL loader and the chosen device's driver");
+  if (!plan.ssao.empty()) report.libraries.push_back("OSMesa");
+  add_left_out(scene, plan, mesh, report);
+  return report;
+}
+
+}  // namespace nook

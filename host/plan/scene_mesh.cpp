@@ -1,0 +1,106 @@
+#include "plan/scene_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <map>
+#include <utility>
+
+#include "base/error.hpp"
+#include "mesh/instance.hpp"
+#include "mesh/opacity_maps.hpp"
+#include "mesh/ply.hpp"
+#include "plan/cut_outs.hpp"
+
+namespace nook {
+namespace {
+
+// p -> translate + Rz Ry Rx scale p.
+glm::dmat4 matrix_of(const Instance& instance) {
+  glm::dmat4 m = glm::translate(glm::dmat4(1), dvec3(instance.translate));
+  for (int axis = 2; axis >= 0; --axis) {
+    dvec3 about(0);
+    about[axis] = 1;
+    if (instance.rotate[axis] != 0) m = glm::rotate(m, glm::radians(double(instance.rotate[axis])), about);
+  }
+  return glm::scale(m, dvec3(instance.scale));
+}
+
+// The scene's mesh files, each read once, and how often each is placed, by its name.
+struct Files {
+  std::map<std::filesystem::path, TriangleMesh> meshes;
+  InstanceCounts counts;
+};
+
+Files load_files(const Scene& scene, const MeshAttributes& attributes) {
+  Files files;
+  for (const Instance& instance : scene.instances) {
+    const auto [place, fresh] = files.meshes.try_emplace(instance.mesh_file);
+    if (fresh) place->second = load_mesh(instance.mesh_file, attributes);
+    const std::uint64_t triangles = place->second.triangles.size();
+    files.counts.stored += fresh ? triangles : 0;
+    files.counts.placed += triangles;
+  }
+  return files;
+}
+
+// The instances as copies, or each file once (and once more if some of its instances mirror it) with its
+// places.
+TriangleMesh place_files(const Scene& scene, Files files, bool as_trees) {
+  TriangleMesh whole;
+  std::map<std::pair<std::filesystem::path, bool>, std::uint32_t> parts;
+  for (const Instance& instance : scene.instances) {
+    const TriangleMesh& mesh = files.meshes.at(instance.mesh_file);
+    const glm::dmat4 transform = matrix_of(instance);
+    try {
+      if (!as_trees) {
+        append_instance(whole, mesh, transform);
+        continue;
+      }
+      const auto [part, fresh] = parts.try_emplace({instance.mesh_file, mirrors(transform)});
+      if (fresh) part->second = append_part(whole, mesh, mirrors(transform));
+      place_part(whole, part->second, transform);
+    } catch (const Error& e) {
+      throw Error(e.code(), scene.file.string() + ": " + e.what());
+    }
+  }
+  return whole;
+}
+
+}  // namespace
+
+std::string reason_for_copies(const Scene& scene, Instancing instancing, const InstanceCounts& counts) {
+  if (instancing == Instancing::copies) return "the scene asks for them (instancing)";
+  for (const Effect& effect : scene.effects) {
+    if (effect.kind == EffectKind::ssao) return "SSAO draws triangles";
+    if (effect.only_self) return "occluders = \"self\" has a tree for each group";
+  }
+  if (instancing == Instancing::tree) return "";
+  if (counts.placed < fewest_triangles_for_trees)
+    return fmt::format("they have {} triangles, fewer than {}", counts.placed, fewest_triangles_for_trees);
+  if (counts.placed < 2 * counts.stored) return "most meshes are placed once";
+  return "";
+}
+
+TriangleMesh load_scene_mesh(const Scene& scene, const MeshAttributes& attributes, Instancing instancing) {
+  TriangleMesh whole;
+  if (scene.instances.empty()) {
+    whole = load_mesh(scene.mesh_file, attributes);
+  } else {
+    Files files = load_files(scene, attributes);
+    const std::string why_copies = reason_for_copies(scene, instancing, files.counts);
+    if (instancing == Instancing::tree && !why_copies.empty())
+      throw Error(ExitCode::scene,
+                  fmt::format("{}: instancing = \"tree\": {}", scene.file.string(), why_copies));
+    whole = place_files(scene, std::move(files), why_copies.empty());
+    whole.why_copies = why_copies;
+  }
+  if (scene.ground) {
+    const float height = scene.ground->height.value_or(whole.bounds.lo.y);
+    append_ground(whole, height, scene.ground->reach.value_or(20 * whole.bounds.bounding_radius()));
+  }
+  if (scene.cutouts && attributes.materials) load_opacity_maps(whole);
+  return whole;
+}
+
+}  // namespace nook

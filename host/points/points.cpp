@@ -1,0 +1,109 @@
+#include "points/points.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+#include "base/error.hpp"
+#include "base/input_file.hpp"
+
+namespace nook {
+namespace {
+
+// The numbers of a line; stops at the first word that is none and leaves it in `wrong`.
+std::vector<double> numbers_of(const std::string& line, std::string& wrong) {
+  std::vector<double> numbers;
+  std::size_t at = 0;
+  while (at < line.size()) {
+    const std::size_t begin = line.find_first_not_of(", \t\r", at);
+    if (begin == std::string::npos) break;
+    at = std::min(line.find_first_of(", \t\r", begin), line.size());
+    std::string word = line.substr(begin, at - begin);
+    const char* first = word.data() + (word[0] == '+');
+    double value = 0;
+    const auto [end, code] = std::from_chars(first, word.data() + word.size(), value);
+    if (code != std::errc() || end != word.data() + word.size() || !std::isfinite(float(value))) {
+      wrong = word.substr(0, 40);
+      break;
+    }
+    numbers.push_back(value);
+  }
+  return numbers;
+}
+
+// Scaled by the largest component first, so that neither 1e-30 nor 1e30 is lost.
+vec3 unit(const double* v) {
+  const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+  if (largest == 0) return vec3(0);
+  return vec3(glm::normalize(dvec3(v[0], v[1], v[2]) / largest));
+}
+
+void store(float (&out)[3], const vec3& v) {
+  for (int i = 0; i < 3; ++i) out[i] = v[i];
+}
+
+}  // namespace
+
+SurfacePoint surface_point(const vec3& position, const vec3& normal, const vec3& view,
+                           const Bounds3& bounds) {
+  constexpr double half_ulp = 0x1p-24;
+  constexpr double gamma7 = 7 * half_ulp / (1 - 7 * half_ulp);
+  const auto largest = [](const vec3& v) {
+    return double(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
+  };
+  double reach = largest(position);
+  if (!bounds.empty()) reach = std::max({reach, largest(bounds.lo), largest(bounds.hi)});
+  SurfacePoint point{};
+  store(point.origin, vec3(dvec3(position) + gamma7 * reach * dvec3(normal)));
+  point.distance = float(gamma7 * reach);
+  point.flags = SURFACE_HIT | SURFACE_GIVEN;
+  store(point.normal, normal);
+  store(point.geometric_normal, normal);
+  store(point.view, view);
+  point.triangle = point.material = 0xffffffffu;
+  return point;
+}
+
+std::vector<SurfacePoint> read_points(std::istream& in, const std::string& name, bool needs_view,
+                                      const Bounds3& bounds) {
+  std::vector<SurfacePoint> points;
+  std::string line;
+  bool first = true;
+  for (std::size_t row = 1; std::getline(in, line); ++row) {
+    if (line.find_first_not_of(", \t\r") == std::string::npos || line[0] == '#') continue;
+    std::string wrong;
+    const std::vector<double> n = numbers_of(line, wrong);
+    const bool header = first && n.empty();
+    first = false;
+    if (header) continue;
+    auto fail = [&](const std::string& what) {
+      throw Error(ExitCode::scene, fmt::format("{}:{}: {}", name, row, what));
+    };
+    if (!wrong.empty()) fail(fmt::format("'{}' is not a finite number", wrong));
+    if (n.size() != 6 && n.size() != 9)
+      fail(fmt::format("{} columns, expected px,py,pz,nx,ny,nz or px,py,pz,nx,ny,nz,vx,vy,vz", n.size()));
+    const vec3 normal = unit(&n[3]);
+    const vec3 view = n.size() == 9 ? unit(&n[6]) : vec3(0);
+    if (normal == vec3(0)) fail("the normal is zero");
+    if (needs_view && view == vec3(0))
+      fail(n.size() == 9 ? "the view direction is zero"
+                         : "RO needs the view direction: px,py,pz,nx,ny,nz,vx,vy,vz");
+    points.push_back(surface_point(vec3(float(n[0]), float(n[1]), float(n[2])), normal, view, bounds));
+  }
+  if (points.empty()) throw Error(ExitCode::scene, fmt::format("{}: there are no points", name));
+  return points;
+}
+
+std::vector<SurfacePoint> load_points(const std::filesystem::path& path, bool needs_view,
+                                      const Bounds3& bounds) {
+  size_of_input(path);
+  std::ifstream in(path);
+  if (!in) throw Error(ExitCode::scene, fmt::format("{}: cannot be read", path.string()));
+  return read_points(in, path.string(), needs_view, bounds);
+}
+
+}  // namespace nook

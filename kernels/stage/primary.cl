@@ -1,0 +1,74 @@
+// First stage: `primary` finds the surface points of the camera rays; `occlusion` (occlusion.cl) estimates an effect at them.
+#include "config.h"
+#include "shared/surface_point.h"
+#include "shared/task.h"
+#include "sample/camera.cl"
+#include "sample/sampler.cl"
+#include "stage/surface_points.cl"
+#include "trace/traverse.cl"
+
+#define STREAM 32u
+
+void store3(__global float* out, float3 v) {
+  out[0] = v.x;
+  out[1] = v.y;
+  out[2] = v.z;
+}
+
+void write_surface_point(__global SurfacePoint* out, const SurfaceFrames* frames, uint k, const RayDirections* directions,
+                         float distance, uint triangle, uint material) {
+  store3(out->origin, ray_direction(&frames->origin, k));
+  out->flags = SURFACE_HIT;
+  store3(out->normal, ray_direction(&frames->normal, k));
+  out->triangle = triangle;
+  store3(out->view, -ray_direction(directions, k));
+  out->distance = distance;
+  store3(out->geometric_normal, ray_direction(&frames->geometric_normal, k));
+  out->material = material;
+}
+
+// Camera samples [task.first_sample, + p.samples) of each task's pixel: one SurfacePoint each. A work-item does `tasks_per_item`
+// neighbouring tasks, whose rays share streams; tasks_per_item * p.samples <= STREAM if it does more than one.
+__kernel void primary(BVH_PARAMS, __global const float* positions, __global const uint* triangles,
+                      __global const float* normals, __global const uint* triangle_normals,
+                      __global const uint* triangle_materials, CameraParams camera, EstimatorParams p,
+                      __global const Task* tasks, uint task_count, uint tasks_per_item, __global SurfacePoint* points) {
+  const uint first_task = get_global_id(0) * tasks_per_item;
+  if (first_task >= task_count) return;
+  const uint rays = min(tasks_per_item, task_count - first_task) * p.samples;
+  const float3 eye = (float3)(camera.eye[0], camera.eye[1], camera.eye[2]);
+  SurfaceHits hits;
+  clear_hits(&hits);
+  uint pixel[STREAM], sample[STREAM];
+  for (uint k = 0; k < STREAM; ++k) pixel[k] = sample[k] = 0;
+  for (uint begin = 0; begin < rays; begin += STREAM) {
+    const uint count = min(STREAM, rays - begin);
+    for (uint k = 0; k < count; ++k) {
+      const Task task = tasks[first_task + (begin + k) / p.samples];
+      pixel[k] = task.pixel;
+      sample[k] = task.first_sample + (begin + k) % p.samples;
+    }
+    RayDirections directions;
+    camera_directions(&camera, pixel, sample, count, &p, &directions);
+    float t[STREAM], u[STREAM], v[STREAM];
+    uint triangle[STREAM];
+    for (uint k = 0; k < STREAM; ++k) t[k] = INFINITY;
+    const uint active = count == STREAM ? 0xffffffffu : (1u << count) - 1u;
+    closest_from(BVH_ARGS, eye, &directions, active, t, triangle, u, v);
+    for (uint k = 0; k < count; ++k)
+      if (triangle[k] != NO_TRIANGLE)
+        gather_hit(&hits, k, TRIANGLE_ARGS, normals, triangle_normals, triangle[k], u[k], v[k]);
+    SurfaceFrames frames;
+    make_surface_frames(&hits, count, &frames);
+    for (uint k = 0; k < count; ++k) {
+      __global SurfacePoint* point =
+          points + tasks[first_task + (begin + k) / p.samples].point + (begin + k) % p.samples;
+      if (triangle[k] == NO_TRIANGLE) {
+        point->flags = 0;
+        continue;
+      }
+      write_surface_point(point, &frames, k, &directions, t[k], triangle[k],
+                          MATERIALS ? triangle_materials[STORED(triangle[k])] : 0xffffffffu);
+    }
+  }
+}
