@@ -16,15 +16,6 @@ BuildOptions with_width(BuildOptions options, unsigned width) {
   return options.define("BVH_WIDTH", width);
 }
 
-template <class... Args>
-void set_args(const ClKernel& kernel, const Args&... args) {
-  cl_uint index = 0;
-  const auto set = [&](const auto& value) {
-    check_opencl(opencl().clSetKernelArg(kernel.get(), index++, sizeof(value), &value), "clSetKernelArg");
-  };
-  (set(args), ...);
-}
-
 }  // namespace
 
 KernelRunner::KernelRunner(const Device& device, const Bvh& bvh, const BuildOptions& options)
@@ -50,43 +41,45 @@ void KernelRunner::set_camera_rays(const std::vector<vec3>& directions) {
   direction_count_ = cl_uint(directions.size());
 }
 
-double KernelRunner::run(const ClKernel& kernel, std::size_t size, void* out, std::size_t bytes) {
+double KernelRunner::run(KernelCall& call, std::size_t size, void* out, std::size_t bytes) {
+  constexpr std::size_t local = 64;
+  call.add("result", result_);
   const Stopwatch watch;
-  const std::size_t local = 64, global = (size + local - 1) / local * local;
-  check_opencl(opencl().clEnqueueNDRangeKernel(device_.queue(), kernel.get(), 1, nullptr, &global, &local, 0,
-                                               nullptr, nullptr),
-               "clEnqueueNDRangeKernel");
+  call.run(device_, (size + local - 1) / local * local, local);
   device_.finish();
   const double seconds = watch.seconds();
-  check_opencl(opencl().clEnqueueReadBuffer(device_.queue(), result_.get(), CL_TRUE, 0, bytes, out, 0,
-                                            nullptr, nullptr),
-               "clEnqueueReadBuffer");
+  read_buffer(device_, result_, out, bytes);
   return seconds;
+}
+
+double KernelRunner::occlusion(const ClKernel& kernel, std::size_t streams, float max_distance,
+                               std::vector<std::uint32_t>& bits) {
+  if (result_bytes_ < bits.size() * 4) result_ = device_.buffer(result_bytes_ = bits.size() * 4);
+  KernelCall call(kernel);
+  call.add("nodes", nodes_).add("leaves", leaves_).add("points", points_).add("point_count", point_count_);
+  call.add("sets", sets_).add("set_size", set_size_).add("max_distance", max_distance);
+  return run(call, streams, bits.data(), bits.size() * 4);
 }
 
 double KernelRunner::shared(float max_distance, std::vector<std::uint32_t>& bits) {
   bits.resize(point_count_);
-  if (result_bytes_ < bits.size() * 4) result_ = device_.buffer(result_bytes_ = bits.size() * 4);
-  set_args(shared_, nodes_.get(), leaves_.get(), points_.get(), point_count_, sets_.get(), set_size_,
-           max_distance, result_.get());
   const std::size_t per_stream = 32 / set_size_;
-  return run(shared_, (point_count_ + per_stream - 1) / per_stream, bits.data(), bits.size() * 4);
+  return occlusion(shared_, (point_count_ + per_stream - 1) / per_stream, max_distance, bits);
 }
 
 double KernelRunner::own(float max_distance, std::vector<std::uint32_t>& bits) {
   bits.resize((point_count_ + 31) / 32);
-  if (result_bytes_ < bits.size() * 4) result_ = device_.buffer(result_bytes_ = bits.size() * 4);
-  set_args(own_, nodes_.get(), leaves_.get(), points_.get(), point_count_, sets_.get(), set_size_,
-           max_distance, result_.get());
-  return run(own_, bits.size(), bits.data(), bits.size() * 4);
+  return occlusion(own_, bits.size(), max_distance, bits);
 }
 
 double KernelRunner::closest(const vec3& eye, unsigned rays_per_stream, std::vector<float>& distances) {
   distances.resize(direction_count_);
   if (result_bytes_ < distances.size() * 4) result_ = device_.buffer(result_bytes_ = distances.size() * 4);
-  set_args(closest_, nodes_.get(), leaves_.get(), directions_.get(), direction_count_, eye.x, eye.y, eye.z,
-           cl_uint(rays_per_stream), result_.get());
-  return run(closest_, (direction_count_ + rays_per_stream - 1) / rays_per_stream, distances.data(),
+  KernelCall call(closest_);
+  call.add("nodes", nodes_).add("leaves", leaves_).add("directions", directions_);
+  call.add("direction_count", direction_count_).add("eye_x", eye.x).add("eye_y", eye.y).add("eye_z", eye.z);
+  call.add("rays_per_stream", cl_uint(rays_per_stream));
+  return run(call, (direction_count_ + rays_per_stream - 1) / rays_per_stream, distances.data(),
              distances.size() * 4);
 }
 

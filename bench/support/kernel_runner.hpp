@@ -3,6 +3,7 @@
 #include "bench/support/rays.hpp"
 #include "bvh/bvh.hpp"
 #include "device/device.hpp"
+#include "device/kernel_call.hpp"
 #include "device/program_cache.hpp"
 
 namespace nook::bench {
@@ -22,7 +23,9 @@ class KernelRunner {
   double closest(const vec3& eye, unsigned rays_per_stream, std::vector<float>& distances);
 
  private:
-  double run(const ClKernel& kernel, std::size_t size, void* out, std::size_t bytes);
+  double occlusion(const ClKernel& kernel, std::size_t work_items, float max_distance,
+                   std::vector<std::uint32_t>& bits);
+  double run(KernelCall& call, std::size_t work_items, void* out, std::size_t bytes);
 
   const Device& device_;
   BuiltProgram program_;

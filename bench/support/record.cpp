@@ -43,12 +43,6 @@ std::string machine_description() {
       __VERSION__);
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t n = values.size();
-  return n % 2 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
-}
-
 void append_record(const std::string& file, nlohmann::json record) {
   if (file.empty()) return;
   const std::time_t now = std::time(nullptr);

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace nook::bench {
+#include "math/median.hpp"
 
-double median(std::vector<double> values);
+namespace nook::bench {
 
 /// Processor, cores, memory, system, OpenCL device and driver, Embree, compiler: what a table of results says
 /// of where it was measured. Markdown.

@@ -18,15 +18,6 @@ struct BvhOptions {
   bool refined = false;  ///< up to some 26 ms more, for rays that take up to a tenth less (reinsertion.hpp)
 };
 
-// The kernels' layout: no padding but what BvhNode names, and whole cache lines.
-template <unsigned Width>
-constexpr bool is_packed = sizeof(BvhNode<Width>) == (6 * Width + 16) * 4 &&
-                           offsetof(BvhNode<Width>, hi) == 3 * Width * 4 &&
-                           offsetof(BvhNode<Width>, nodes) == 6 * Width * 4 &&
-                           sizeof(BvhNode<Width>) % 64 == 0;
-static_assert(is_packed<8> && is_packed<16>);
-static_assert(sizeof(TriangleLeaf) == 4 * 64 && offsetof(TriangleLeaf, triangle) == 3 * 64);
-
 template <unsigned Width>
 using BvhNodes = LargeVector<BvhNode<Width>>;
 

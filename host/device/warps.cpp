@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "device/kernel_call.hpp"
 #include "device/kernel_source.hpp"
 
 namespace nook {
@@ -42,26 +43,14 @@ std::vector<float> Warps::run(const char* kernel_name, Warp warp, float exponent
                               std::size_t count, std::size_t floats_out) const {
   std::vector<float> result(count * floats_out);
   if (count == 0) return result;
-  const OpenClFunctions& cl = opencl();
-  ClKernel kernel = program_.kernel(kernel_name);
-  ClBuffer source = device_.buffer(in.size_bytes(), CL_MEM_READ_ONLY);
-  ClBuffer destination = device_.buffer(result.size() * sizeof(float));
-  check_opencl(cl.clEnqueueWriteBuffer(device_.queue(), source.get(), CL_TRUE, 0, in.size_bytes(), in.data(),
-                                       0, nullptr, nullptr),
-               "clEnqueueWriteBuffer");
-  cl_uint kind = cl_uint(warp), n = cl_uint(count);
-  cl_mem from = source.get(), to = destination.get();
-  check_opencl(cl.clSetKernelArg(kernel.get(), 0, sizeof kind, &kind), "clSetKernelArg");
-  check_opencl(cl.clSetKernelArg(kernel.get(), 1, sizeof exponent, &exponent), "clSetKernelArg");
-  check_opencl(cl.clSetKernelArg(kernel.get(), 2, sizeof from, &from), "clSetKernelArg");
-  check_opencl(cl.clSetKernelArg(kernel.get(), 3, sizeof to, &to), "clSetKernelArg");
-  check_opencl(cl.clSetKernelArg(kernel.get(), 4, sizeof n, &n), "clSetKernelArg");
-  check_opencl(cl.clEnqueueNDRangeKernel(device_.queue(), kernel.get(), 1, nullptr, &count, nullptr, 0,
-                                         nullptr, nullptr),
-               "clEnqueueNDRangeKernel");
-  check_opencl(cl.clEnqueueReadBuffer(device_.queue(), destination.get(), CL_TRUE, 0,
-                                      result.size() * sizeof(float), result.data(), 0, nullptr, nullptr),
-               "clEnqueueReadBuffer");
+  const std::vector<float> held(in.begin(), in.end());
+  const ClBuffer source = device_.input(held);
+  const ClBuffer destination = device_.buffer(result.size() * sizeof(float));
+  const ClKernel kernel = program_.kernel(kernel_name);
+  KernelCall call(kernel);
+  call.add("warp", cl_uint(warp)).add("exponent", exponent).add("in", source).add("out", destination);
+  call.add("count", cl_uint(count)).run(device_, count);
+  read_buffer(device_, destination, result.data(), result.size() * sizeof(float));
   return result;
 }
 

@@ -26,10 +26,6 @@ struct OpacityMap {
   std::vector<std::uint8_t> opacity;
 };
 
-// The kernels' layout, which has no padding: mesh_hash() reads it as bytes.
-static_assert(sizeof(PlacedMesh) == 25 * 4 && offsetof(PlacedMesh, normal) == 48 &&
-              offsetof(PlacedMesh, first_triangle) == 84);
-
 /// What to keep of a mesh file; what no effect reads is not kept.
 struct MeshAttributes {
   bool normals = true;

@@ -9,9 +9,6 @@
 
 namespace nook {
 
-static_assert(sizeof(CutTriangle) == 32 && offsetof(CutTriangle, map) == 24);
-static_assert(sizeof(OpacityMapPlace) == 16);
-
 /// Opacity maps and the triangles in them, as the kernels read them. A triangle without texture coordinates
 /// is opaque.
 struct CutOuts {

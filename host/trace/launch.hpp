@@ -5,7 +5,7 @@
 namespace nook {
 
 /// What one launch does. Internal to the occlusion tracer: launches.cpp cuts work into them,
-/// occlusion_tracer.cpp launches them.
+/// launch_queue.cpp launches them.
 struct OcclusionTracer::Launch {
   std::vector<Task> tasks;
   std::uint32_t samples = 1;           // camera samples in each task

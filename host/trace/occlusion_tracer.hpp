@@ -17,9 +17,11 @@
 #include "kernels/shared/task.h"
 #include "kernels/shared/task_result.h"
 #include "plan/cut_outs.hpp"
+#include "plan/kernel_arguments.hpp"
 #include "plan/kernel_plan.hpp"
 #include "plan/plan.hpp"
 #include "plan/surface_sets.hpp"
+#include "trace/sample_range.hpp"
 
 namespace nook {
 
@@ -31,12 +33,6 @@ struct RenderCounters {
   std::uint64_t launches = 0;
   std::vector<std::uint64_t> effect_rays;  ///< occlusion_rays by effect, in the plan's order
   double device_seconds = 0;               ///< in kernels, by the device's own clock
-};
-
-/// Samples [first, first + count) of a pixel: of its Plan::samples_per_pixel() camera rays or, with one
-/// camera ray a pixel, directions.
-struct SampleRange {
-  std::uint32_t first = 0, count = 0;
 };
 
 /// What is in the films from now on: samples `range` of the pixels [begin, end) of the list that accumulate()
@@ -137,9 +133,9 @@ class OcclusionTracer {
   ClBuffer optional(bool wanted, const std::vector<T>& data) const;
   Tree upload(const Bvh& bvh) const;
   void upload_sets(const TriangleMesh& mesh);
-  void set_tree(cl_kernel kernel, cl_uint& arg, const Tree& tree) const;
+  TreeArguments arguments_of(const Tree& tree) const;
   EstimatorParams params_for(const EffectPlan& effect, const Launch& launch) const;
-  void enqueue(cl_kernel kernel, std::size_t count, ClEvent* event = nullptr);
+  void enqueue(const KernelCall& call, std::size_t count, ClEvent* event = nullptr);
   cl_uint tasks_sharing_a_stream(std::uint64_t rays_of_task) const;
   void launch_primary(const EstimatorParams& params, const ClBuffer& tasks, cl_uint count, cl_mem points,
                       ClEvent* event = nullptr);

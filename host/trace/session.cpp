@@ -1,26 +1,16 @@
 #include "trace/session.hpp"
 
 #include <fmt/format.h>
-#include <xxhash.h>
 
 #include <algorithm>
 #include <chrono>
 #include <map>
 
 #include "base/error.hpp"
-#include "base/version.hpp"
-#include "device/kernel_source.hpp"
 #include "film/film_part_file.hpp"
-#include "scene/names.hpp"
 
 namespace nook {
 namespace {
-
-std::string kernel_hash() {
-  const std::string source = kernel_source("stage/primary.cl") + kernel_source("stage/occlusion.cl");
-  const XXH128_hash_t hash = XXH3_128bits(source.data(), source.size());
-  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
-}
 
 // The positions of the boxes' pixels.
 std::vector<std::uint32_t> positions_of(const SampleBoxes& boxes) {
@@ -31,78 +21,6 @@ std::vector<std::uint32_t> positions_of(const SampleBoxes& boxes) {
 }
 
 }  // namespace
-
-std::vector<Randomisations::Piece> Randomisations::pieces(SampleRange range) const {
-  if (count == 1) return {{0, range.first, range}};
-  std::vector<Piece> made;
-  const std::uint64_t end = std::uint64_t(range.first) + range.count;
-  std::uint64_t stage_first = 0;  // in the session's numbering
-  std::uint32_t before = 0;
-  for (const std::uint32_t stage : stages) {
-    const std::uint32_t size = stage - before;
-    for (std::uint32_t r = 0; r < count; ++r, stage_first += size) {
-      const std::uint64_t from = std::max<std::uint64_t>(range.first, stage_first),
-                          to = std::min(end, stage_first + size);
-      if (from < to)
-        made.push_back(
-            {r, std::uint32_t(from), {before + std::uint32_t(from - stage_first), std::uint32_t(to - from)}});
-    }
-    before = stage;
-  }
-  return made;
-}
-
-std::uint32_t Randomisations::samples_of(std::uint32_t r, std::uint32_t n) const {
-  if (count == 1) return n;
-  std::uint64_t stage_first = 0;
-  std::uint32_t before = 0;
-  for (const std::uint32_t stage : stages) {
-    const std::uint64_t size = stage - before, next = stage_first + size * count;
-    if (n < next) {
-      const std::uint64_t first = stage_first + r * size;
-      return before + std::uint32_t(n > first ? std::min<std::uint64_t>(n - first, size) : 0);
-    }
-    stage_first = next;
-    before = stage;
-  }
-  return before;
-}
-
-// A hash (Steele, Lea and Flood 2014, splitmix64): neighbouring seeds share no randomisation.
-std::uint32_t Randomisations::seed_of(std::uint32_t seed, std::uint32_t r) {
-  std::uint64_t x = (std::uint64_t(seed) << 32 | r) + 0x9e3779b97f4a7c15ull;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
-  return std::uint32_t((x ^ (x >> 31)) >> 32);
-}
-
-FilmPart::Texts film_identity(const Plan& plan, const DeviceInfo& device, const std::string& scene_hash,
-                              const std::string& mesh_hash, const FilmPart::Texts& extra) {
-  FilmPart::Texts identity;
-  const auto add = [&](const std::string& name, auto value) {
-    identity.emplace_back(name, fmt::format("{}", value));
-  };
-  add("version", version);
-  add("build", build_description);
-  add("size", fmt::format("{}x{}", plan.width, plan.height));
-  add("crop", fmt::format("{},{},{},{}", plan.window.x0, plan.window.x1, plan.window.y0, plan.window.y1));
-  add("spp", plan.spp);
-  add("directions", plan.directions);
-  add("sampler", name_of(plan.sampler));
-  add("seed", plan.seed);
-  for (const EffectPlan& effect : plan.effects) {
-    add("effect", name_of(effect.effect.kind));
-    add("sampling", name_of(effect.effect.sampling));
-    add("max_distance", effect.max_distance);
-  }
-  identity.insert(identity.end(), extra.begin(), extra.end());
-  add("scene", scene_hash);
-  add("mesh", mesh_hash);
-  add("kernels", kernel_hash());
-  add("device", device.name);
-  add("driver", device.platform_name + " " + device.driver);
-  return identity;
-}
 
 Session::Session(OcclusionTracer& tracer, const Plan& plan, FilmPart::Texts identity,
                  Randomisations randomisations, std::size_t rule_planes)

@@ -1,5 +1,6 @@
 // Second stage: `occlusion` estimates an effect at surface points, found by `primary` (primary.cl) or given by the host (probe, bake).
 #include "config.h"
+#include "shared/arguments.h"
 #include "shared/surface_point.h"
 #include "shared/task.h"
 #include "shared/task_result.h"
@@ -46,12 +47,7 @@ void add_direction(ulong* sum, float weight, float3 d, const CameraParams* camer
 // holds the directions of as many camera samples as fit (32 / directions), or a part of one sample's. A work-item does
 // `tasks_per_item` neighbouring tasks, whose samples share streams: tasks_per_item * p.samples * p.directions <= STREAM if it does
 // more than one.
-__kernel void occlusion(BVH_PARAMS, EstimatorParams p, __global const Task* tasks, uint task_count, uint tasks_per_item,
-                        __global const SurfacePoint* points, __global TaskResult* results,
-                        __global const float* exponents, __global const float* positions,
-                        __global const uint* triangles, CameraParams camera, __global nook_ulong* bent,
-                        __global const uint* receivers, __global const uint* triangle_groups,
-                        __global const uint* first_of_group) {
+__kernel void occlusion(BVH_PARAMS OCCLUSION_ARGUMENTS(IN_PARAM, OUT_PARAM, VALUE_PARAM)) {
   const uint first_task = get_global_id(0) * tasks_per_item;
   if (first_task >= task_count) return;
   const uint count_of_tasks = min(tasks_per_item, task_count - first_task);

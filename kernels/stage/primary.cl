@@ -1,5 +1,7 @@
 // First stage: `primary` finds the surface points of the camera rays; `occlusion` (occlusion.cl) estimates an effect at them.
 #include "config.h"
+#include "shared/arguments.h"
+#include "shared/camera.h"
 #include "shared/surface_point.h"
 #include "shared/task.h"
 #include "sample/camera.cl"
@@ -29,10 +31,7 @@ void write_surface_point(__global SurfacePoint* out, const SurfaceFrames* frames
 
 // Camera samples [task.first_sample, + p.samples) of each task's pixel: one SurfacePoint each. A work-item does `tasks_per_item`
 // neighbouring tasks, whose rays share streams; tasks_per_item * p.samples <= STREAM if it does more than one.
-__kernel void primary(BVH_PARAMS, __global const float* positions, __global const uint* triangles,
-                      __global const float* normals, __global const uint* triangle_normals,
-                      __global const uint* triangle_materials, CameraParams camera, EstimatorParams p,
-                      __global const Task* tasks, uint task_count, uint tasks_per_item, __global SurfacePoint* points) {
+__kernel void primary(BVH_PARAMS PRIMARY_ARGUMENTS(IN_PARAM, OUT_PARAM, VALUE_PARAM)) {
   const uint first_task = get_global_id(0) * tasks_per_item;
   if (first_task >= task_count) return;
   const uint rays = min(tasks_per_item, task_count - first_task) * p.samples;

@@ -8,6 +8,7 @@
 #include "app/commands.hpp"
 #include "app/options/scene_options.hpp"
 #include "bvh/bvh.hpp"
+#include "plan/kernel_arguments.hpp"
 #include "plan/plan_report.hpp"
 #include "plan/scene_mesh.hpp"
 #include "scene/names.hpp"
@@ -74,7 +75,8 @@ void print_table(const Scene& scene, const Plan& plan, const TriangleMesh& mesh,
                   : "");
   if (!report.kernels.empty()) fmt::print("\nKernels\n");
   for (const KernelPlan& kernel : report.kernels)
-    fmt::print("  {:<16}{}\n", kernel.file, kernel.options.text());
+    fmt::print("  {:<20} {}\n  {:<20} takes {}\n", kernel.file, kernel.options.text(), "",
+               fmt::join(argument_names(plan, kernel.entry), ", "));
   if (!report.buffers.empty()) fmt::print("\nUploaded\n");
   std::uint64_t sum = 0;
   for (const BufferReport& buffer : report.buffers) {
@@ -108,7 +110,9 @@ void print_json(const Plan& plan, const TriangleMesh& mesh, const PlanReport& re
   for (const PassReport& pass : report.passes)
     json["passes"].push_back({{"name", pass.name}, {"what", pass.what}, {"rays_at_most", pass.rays}});
   for (const KernelPlan& kernel : report.kernels)
-    json["kernels"].push_back({{"file", kernel.file}, {"options", kernel.options.text()}});
+    json["kernels"].push_back({{"file", kernel.file},
+                               {"options", kernel.options.text()},
+                               {"arguments", argument_names(plan, kernel.entry)}});
   for (const BufferReport& buffer : report.buffers)
     json["buffers"].push_back({{"name", buffer.name}, {"bytes", buffer.bytes}});
   fmt::print("{}\n", json.dump(2));
