@@ -8,7 +8,7 @@
 
 #include "bad_input_rows.hpp"
 #include "support/program.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace nook::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace nook::test {
 

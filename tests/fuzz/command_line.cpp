@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "readers.hpp"
 #include "picture/picture.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace nook::fuzz {
 namespace {

@@ -11,7 +11,7 @@
 #include <fstream>
 
 #include "mutate.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace {
 

@@ -18,7 +18,7 @@
 #include "points/points.hpp"
 #include "report/study_file.hpp"
 #include "scene/scene_toml.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace nook::fuzz {
 namespace {

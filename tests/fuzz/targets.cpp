@@ -8,7 +8,7 @@
 #include "image/exr.hpp"
 #include "mesh/ply.hpp"
 #include "readers.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace nook::fuzz {
 namespace {

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "mesh/ply.hpp"
-#include "nook_program.hpp"
+#include "support/nook_program.hpp"
 #include "points/vertex_points.hpp"
 
 namespace nook::test {
@@ -36,7 +36,7 @@ TEST(Bake, VerticesAreProbes) {
   const auto output = folder / "baked.ply";
   const ProgramResult baked =
       run_nook(folder, "bake '" + scene.string() + "' --to vertices -o '" + output.string() + "'");
-  ASSERT_EQ(baked.exit_code, 0) << baked.err;
+  ASSERT_EQ(baked.code, 0) << baked.err;
   const TriangleMesh mesh = load_ply(output);
   const std::string bytes = read_bytes(output);
   const std::vector<float> ao = property(bytes, "ao", mesh.positions.size()),
@@ -53,7 +53,7 @@ TEST(Bake, VerticesAreProbes) {
   const auto single = write_small_scene(folder, "probe.toml", "[renderer]\ntype = \"ao\"\n");
   const ProgramResult probed = run_nook(folder, "probe '" + single.string() + "' --samples 1024 --points '" +
                                                     (folder / "points.csv").string() + "'");
-  ASSERT_EQ(probed.exit_code, 0) << probed.err;
+  ASSERT_EQ(probed.code, 0) << probed.err;
   std::istringstream rows(probed.out);
   std::string line;
   std::getline(rows, line);
@@ -84,7 +84,7 @@ TEST(Bake, RefusesWhatNeedsAViewer) {
     const auto scene = write_small_scene(folder, "s.toml", "[renderer]\n" + keys);
     const ProgramResult run =
         run_nook(folder, "bake '" + scene.string() + "' -o '" + (folder / "x.ply").string() + "'");
-    EXPECT_EQ(run.exit_code, 3);
+    EXPECT_EQ(run.code, 3);
     EXPECT_NE(run.err.find(message), std::string::npos) << run.err;
     EXPECT_FALSE(std::filesystem::exists(folder / "x.ply"));
   };

@@ -6,9 +6,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "expect_error.hpp"
+#include "support/expect_error.hpp"
 #include "mesh/obj_loader.hpp"
-#include "nook_program.hpp"
+#include "support/nook_program.hpp"
 #include "points/texture_points.hpp"
 
 namespace nook::test {
@@ -65,7 +65,7 @@ Image bake(const TemporaryFolder& folder, const std::filesystem::path& scene, co
   const ProgramResult run = run_nook(folder, "bake '" + scene.string() + "' --to texture -o '" +
                                                  (folder / "baked.exr").string() + "' " + arguments);
   // What a test would read of no picture is not there: it ends here, as a failure.
-  if (run.exit_code != 0) throw std::runtime_error("nook bake: " + run.err);
+  if (run.code != 0) throw std::runtime_error("nook bake: " + run.err);
   return read_exr(folder / "baked.exr");
 }
 
@@ -107,7 +107,7 @@ TEST(BakeTexture, TexelsAreProbesToTheBit) {
   write_bytes(folder / "points.csv", csv.str());
   const ProgramResult probed = run_nook(folder, "probe '" + scene.string() + "' --samples 64 --points '" +
                                                     (folder / "points.csv").string() + "'");
-  ASSERT_EQ(probed.exit_code, 0) << probed.err;
+  ASSERT_EQ(probed.code, 0) << probed.err;
   std::istringstream rows(probed.out);
   std::string line;
   std::getline(rows, line);

@@ -5,7 +5,7 @@
 
 #include "base/error.hpp"
 #include "effects_geometry.hpp"
-#include "nook_program.hpp"
+#include "support/nook_program.hpp"
 #include "plan/scene_mesh.hpp"
 #include "scene/scene_toml.hpp"
 

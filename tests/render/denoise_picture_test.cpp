@@ -4,7 +4,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "nook_program.hpp"
+#include "support/nook_program.hpp"
 #include "support/meshes.hpp"
 
 namespace nook::test {

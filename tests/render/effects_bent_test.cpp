@@ -3,7 +3,7 @@
 
 #include "effects_geometry.hpp"
 #include "film/bent_cone.hpp"
-#include "nook_program.hpp"
+#include "support/nook_program.hpp"
 
 namespace nook::test {
 namespace {
@@ -95,12 +95,12 @@ TEST(BentNormal, ShardsMergeToTheWholePicture) {
     const ProgramResult run =
         run_nook(folder, std::string("render '") + scene.string() + "' --quiet --shard " + shard + " -o '" +
                              (folder / (std::string("part") + shard[0])).string() + "'");
-    ASSERT_EQ(run.exit_code, 0) << run.err;
+    ASSERT_EQ(run.code, 0) << run.err;
   }
   const ProgramResult merged =
       run_nook(folder, "merge '" + (folder / "part1").string() + "' '" + (folder / "part2").string() +
                            "' -o '" + (folder / "merged.exr").string() + "'");
-  ASSERT_EQ(merged.exit_code, 0) << merged.err;
+  ASSERT_EQ(merged.code, 0) << merged.err;
   const Image together = read_exr(folder / "merged.exr");
   for (const char* channel : {"R", "bent.X", "bent.Y", "bent.Z", "bent.cone", "bent.AO"})
     EXPECT_EQ(plane(whole, channel), plane(together, channel)) << channel;

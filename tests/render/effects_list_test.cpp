@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-#include "nook_program.hpp"
+#include "support/nook_program.hpp"
 
 namespace nook::test {
 namespace {
@@ -125,7 +125,7 @@ TEST(Effects, WhatIsPlannedIsUploaded) {
        {"type = \"ao\"\n", "type = \"ro\"\nexponent = \"material\"\n", "type = \"normal\"\n"}) {
     const auto scene = write_small_scene(folder, "scene.toml", renderer + rest);
     const ProgramResult said = run_nook(folder, "plan --json '" + scene.string() + "'");
-    ASSERT_EQ(said.exit_code, 0) << said.err;
+    ASSERT_EQ(said.code, 0) << said.err;
     const auto plan = nlohmann::json::parse(said.out);
     std::uint64_t bytes = 0;
     for (const auto& buffer : plan["buffers"]) bytes += buffer["bytes"].get<std::uint64_t>();
@@ -171,7 +171,7 @@ TEST(Effects, PlanOpensNoDevice) {
   const TemporaryFolder folder;
   const auto scene = write_small_scene(folder, "scene.toml", renderer);
   const ProgramResult said = run_nook(folder, "plan '" + scene.string() + "'");
-  EXPECT_EQ(said.exit_code, 0);
+  EXPECT_EQ(said.code, 0);
   for (const char* part :
        {"Layers", "Passes", "stage/occlusion.cl", "-DEFFECT=0", "tree nodes", "Left out", "at most 6 912 rays"})
     EXPECT_NE(said.out.find(part), std::string::npos) << part << "\n" << said.out;

@@ -4,9 +4,9 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "expect_error.hpp"
+#include "support/expect_error.hpp"
 #include "mesh/obj_loader.hpp"
-#include "nook_program.hpp"
+#include "support/nook_program.hpp"
 #include "trace/occlusion_tracer.hpp"
 #include "points/points.hpp"
 #include "plan/scene_mesh.hpp"
@@ -214,7 +214,7 @@ TEST(Sets, TheGroundCatchesShadows) {
   const Image image = render_with_nook(folder, scene, "--aov position");
   const auto stats = nlohmann::json::parse(text);
   const ProgramResult said = run_nook(folder, "plan --json '" + scene.string() + "'");
-  ASSERT_EQ(said.exit_code, 0) << said.err;
+  ASSERT_EQ(said.code, 0) << said.err;
   const auto plan = nlohmann::json::parse(said.out);
   std::uint64_t bytes = 0;
   for (const auto& buffer : plan["buffers"]) bytes += buffer["bytes"].get<std::uint64_t>();

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "effects_geometry.hpp"
-#include "expect_error.hpp"
+#include "support/expect_error.hpp"
 #include "mesh/instance.hpp"
 
 namespace nook::test {

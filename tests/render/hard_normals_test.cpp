@@ -5,7 +5,7 @@
 #include "hard_case.hpp"
 #include "mesh/obj_loader.hpp"
 #include "support/closed_forms.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace nook::test {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "nook_program.hpp"
+#include "support/nook_program.hpp"
 #include "plan/scene_mesh.hpp"
 
 namespace nook::test {
@@ -81,7 +81,7 @@ TEST(InstancesOfTheProgram, ProbesAndBakesAreThoseOfCopies) {
   EXPECT_NE(probe(trees).find('\n'), std::string::npos);
   const auto bake = [&](const std::filesystem::path& scene) {
     const auto out = folder / "bake.ply";
-    EXPECT_EQ(run_nook(folder, "bake '" + scene.string() + "' -o '" + out.string() + "'").exit_code, 0);
+    EXPECT_EQ(run_nook(folder, "bake '" + scene.string() + "' -o '" + out.string() + "'").code, 0);
     return read_bytes(out);
   };
   EXPECT_EQ(bake(copies), bake(trees));

@@ -16,7 +16,7 @@
 #include "plan/scene_mesh.hpp"
 #include "scene/scene_toml.hpp"
 #include "support/kernels.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace nook::test {
 namespace {

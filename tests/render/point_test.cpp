@@ -13,7 +13,7 @@
 #include "support/program.hpp"
 #include "support/rendering.hpp"
 #include "support/statistics.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace nook::test {
 namespace {

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "nook_program.hpp"
-#include "temporary_folder.hpp"
+#include "support/nook_program.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace nook::test {
 namespace {
@@ -29,10 +29,10 @@ class ShippedScenePlan : public ::testing::TestWithParam<std::filesystem::path> 
 TEST_P(ShippedScenePlan, IsExplained) {
   const TemporaryFolder folder;
   const ProgramResult run = run_nook(folder, "plan --json '" + GetParam().string() + "'");
-  if (run.exit_code == 3 && run.err.find("generated/") != std::string::npos &&
+  if (run.code == 3 && run.err.find("generated/") != std::string::npos &&
       run.err.find("no such file") != std::string::npos)
     GTEST_SKIP() << "its mesh has not been generated";
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  ASSERT_EQ(run.code, 0) << run.err;
   const auto plan = nlohmann::json::parse(run.out);
   EXPECT_FALSE(plan["layers"].empty());
   EXPECT_FALSE(plan["libraries"].empty());
@@ -50,13 +50,13 @@ TEST_P(ShippedScenePlan, RejectsNoSample) {
   const TemporaryFolder folder;
   const std::string scene = "'" + GetParam().string() + "'";
   const ProgramResult planned = run_nook(folder, "plan --json " + scene);
-  if (planned.exit_code != 0) GTEST_SKIP() << "its mesh has not been generated";
+  if (planned.code != 0) GTEST_SKIP() << "its mesh has not been generated";
   const auto plan = nlohmann::json::parse(planned.out);
   const bool sampled = has_pass(plan, "occlusion");
   const std::string out = (folder / "out.exr").string(), record = (folder / "stats.json").string();
   const ProgramResult run = run_nook(folder, "render " + scene + " --size 80x60 --no-png --quiet -o '" + out +
                                                  "' --stats '" + record + "'" + (sampled ? " --spp 4" : ""));
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  ASSERT_EQ(run.code, 0) << run.err;
   const auto stats = nlohmann::json::parse(read_bytes(record));
   EXPECT_EQ(stats.at("rejected_samples"), 0);
   EXPECT_EQ(stats.at("rays").at("camera") > 0, sampled || has_pass(plan, "surface"));

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "expect_error.hpp"
+#include "support/expect_error.hpp"
 #include "ssao/ssao.hpp"
 #include "ssao_scenes.hpp"
 

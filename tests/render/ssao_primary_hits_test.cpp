@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "math/types.hpp"
-#include "nook_program.hpp"
+#include "support/nook_program.hpp"
 
 namespace nook::test {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "image/exr.hpp"
 #include "ssao_scenes.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace nook {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "nook_program.hpp"
+#include "support/nook_program.hpp"
 
 namespace nook::test {
 namespace {
@@ -19,7 +19,7 @@ class Turntable : public ::testing::TestWithParam<const char*> {
     const auto scene = write_small_scene(folder, "scene.toml", GetParam());
     const ProgramResult run = run_nook(folder, "render '" + scene.string() + "' -o '" +
                                                    (folder / "turn.exr").string() + "' --quiet " + options);
-    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.code, 0) << run.err;
   }
   std::vector<float> picture(const std::string& name) { return plane(read_exr(folder / name), "R"); }
 
@@ -70,8 +70,8 @@ TEST(TurntableOfAMesh, TurnsTheFramingCamera) {
   const TemporaryFolder folder;
   write_bytes(folder / "small.obj", small_obj);
   const std::string render = "render '" + (folder / "small.obj").string() + "' --size 32x24 --quiet -o '";
-  ASSERT_EQ(run_nook(folder, render + (folder / "a.exr").string() + "' --turntable 2").exit_code, 0);
-  ASSERT_EQ(run_nook(folder, render + (folder / "still.exr").string() + "'").exit_code, 0);
+  ASSERT_EQ(run_nook(folder, render + (folder / "a.exr").string() + "' --turntable 2").code, 0);
+  ASSERT_EQ(run_nook(folder, render + (folder / "still.exr").string() + "'").code, 0);
   const std::vector<float> still = plane(read_exr(folder / "still.exr"), "R");
   EXPECT_EQ(still, plane(read_exr(folder / "a_0000.exr"), "R"));
   EXPECT_NE(still, plane(read_exr(folder / "a_0001.exr"), "R"));

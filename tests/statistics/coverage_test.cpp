@@ -18,7 +18,7 @@
 #include "scene/names.hpp"
 #include "support/ceiling.hpp"
 #include "support/kernels.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace nook {
 namespace {
@@ -266,13 +266,13 @@ TEST_F(CoverageTest, TheForecastOfTimeHolds) {
 TEST_F(CoverageTest, AMissedTargetIsExitCode5) {
   const std::string render = std::string(NOOK_PROGRAM) + " render " +
                              (folder_.path() / "ceiling.obj").string() + " --quiet --size 64x64 ";
-  const auto exit_code = [](const std::string& command) {
+  const auto code = [](const std::string& command) {
     return WEXITSTATUS(std::system((command + " 2>/dev/null").c_str()));
   };
-  EXPECT_EQ(exit_code(render + "--error .3"), 0);
-  EXPECT_EQ(exit_code(render + "--error .01 --max-spp 64"), 5);
-  EXPECT_EQ(exit_code(render + "--time .5"), 0);
-  EXPECT_EQ(exit_code(render + "--dry-run"), 2);
+  EXPECT_EQ(code(render + "--error .3"), 0);
+  EXPECT_EQ(code(render + "--error .01 --max-spp 64"), 5);
+  EXPECT_EQ(code(render + "--time .5"), 0);
+  EXPECT_EQ(code(render + "--dry-run"), 2);
 }
 
 }  // namespace

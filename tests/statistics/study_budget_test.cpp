@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "trace/deadline.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace nook {
 namespace {

@@ -13,7 +13,7 @@
 #include "report/study_methods.hpp"
 #include "support/ceiling.hpp"
 #include "support/kernels.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace nook {
 namespace {

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 extern char** environ;
 

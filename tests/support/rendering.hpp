@@ -1,8 +1,8 @@
 #pragma once
 
-#include "trace/occlusion_tracer.hpp"
 #include "support/kernels.hpp"
 #include "support/oracle.hpp"
+#include "trace/occlusion_tracer.hpp"
 
 namespace nook::test {
 

@@ -4,9 +4,9 @@
 
 #include <random>
 
-#include "expect_error.hpp"
-#include "file_size_limit.hpp"
-#include "temporary_folder.hpp"
+#include "support/expect_error.hpp"
+#include "support/file_size_limit.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace nook::test {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "expect_error.hpp"
+#include "support/expect_error.hpp"
 #include "image/error_image.hpp"
 #include "image/exr.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace nook {
 namespace {

@@ -4,7 +4,7 @@
 #include <ImfInputFile.h>
 #include <gtest/gtest.h>
 
-#include "nook_program.hpp"
+#include "support/nook_program.hpp"
 
 namespace nook::test {
 namespace {
@@ -36,7 +36,7 @@ TEST(Deliver, PacksTheSet) {
               config(entry("offline/small_ao.exr") + "," + entry("offline/small_ro.exr") + "," +
                      entry("realtime/small_ssao.exr")),
               "--student 'Grace Hopper'");
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  ASSERT_EQ(run.code, 0) << run.err;
   const std::filesystem::path out = folder / "delivery";
   for (const char* part : {"config.json", "offline/", "small_ao.exr", "small_ro.exr", "src/render/", "ao.h"})
     EXPECT_NE(run.out.find(part), std::string::npos) << part << "\n" << run.out;
@@ -66,7 +66,7 @@ TEST(Deliver, RefusesABadConfiguration) {
   const TemporaryFolder folder;
   const auto refuse = [&](const std::string& json, const std::string& message) {
     const ProgramResult run = deliver(folder, json);
-    EXPECT_EQ(run.exit_code, 3) << json;
+    EXPECT_EQ(run.code, 3) << json;
     EXPECT_NE(run.err.find(message), std::string::npos) << run.err;
     EXPECT_FALSE(std::filesystem::exists(folder / "delivery"));
   };

@@ -5,9 +5,9 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "expect_error.hpp"
+#include "support/expect_error.hpp"
 #include "mesh/mesh_analysis.hpp"
-#include "nook_program.hpp"
+#include "support/nook_program.hpp"
 #include "plan/plan.hpp"
 #include "plan/scene_mesh.hpp"
 #include "scene/scene_toml.hpp"

@@ -10,10 +10,10 @@
 #include <regex>
 #include <sstream>
 
-#include "expect_error.hpp"
+#include "support/expect_error.hpp"
 #include "mesh/corner_order.hpp"
 #include "mesh/obj_loader.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace nook {
 namespace {

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "bvh/bvh.hpp"
-#include "expect_error.hpp"
+#include "support/expect_error.hpp"
 #include "mesh/obj_loader.hpp"
-#include "nook_program.hpp"
+#include "support/nook_program.hpp"
 #include "plan/kernel_plan.hpp"
 #include "plan/plan_report.hpp"
 #include "scene/scene_toml.hpp"

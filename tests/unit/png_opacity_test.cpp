@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
-#include "expect_error.hpp"
+#include "support/expect_error.hpp"
 #include "image/png.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace nook {
 namespace {

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
-#include "expect_error.hpp"
-#include "file_size_limit.hpp"
+#include "support/expect_error.hpp"
+#include "support/file_size_limit.hpp"
 #include "image/srgb.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace nook {
 namespace {

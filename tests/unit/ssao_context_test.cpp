@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "expect_error.hpp"
+#include "support/expect_error.hpp"
 #include "ssao/gl_context.hpp"
 #include "ssao/plan.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "expect_error.hpp"
+#include "support/expect_error.hpp"
 
 namespace nook {
 namespace {

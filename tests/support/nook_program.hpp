@@ -10,7 +10,8 @@
 
 #include "image/exr.hpp"
 #include "image/image.hpp"
-#include "temporary_folder.hpp"
+#include "support/program.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace nook::test {
 
@@ -61,19 +62,13 @@ inline std::filesystem::path write_small_scene(const TemporaryFolder& folder, co
   return folder / name;
 }
 
-/// What a run of the program said.
-struct ProgramResult {
-  int exit_code = -1;
-  std::string out, err;
-};
-
 /// Runs `nook ARGUMENTS` (through the shell: quote as it wants).
 inline ProgramResult run_nook(const TemporaryFolder& folder, const std::string& arguments) {
   const std::filesystem::path out = folder / "stdout.txt", err = folder / "stderr.txt";
   const std::string command =
       "'" NOOK_PROGRAM "' " + arguments + " >'" + out.string() + "' 2>'" + err.string() + "' </dev/null";
   const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_bytes(out), read_bytes(err)};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_bytes(out), read_bytes(err), 0};
 }
 
 /// Renders a scene to a fresh EXR, expects success, and reads it back. `stats`: the run record's JSON text.
@@ -84,8 +79,8 @@ inline Image render_with_nook(const TemporaryFolder& folder, const std::filesyst
   const ProgramResult run =
       run_nook(folder, "render '" + scene.string() + "' -o '" + output.string() +
                            "' --no-png --quiet --stats '" + record.string() + "' " + arguments);
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  if (run.exit_code != 0) return {};
+  EXPECT_EQ(run.code, 0) << run.err;
+  if (run.code != 0) return {};
   if (stats) *stats = read_bytes(record);
   return read_exr(output);
 }
