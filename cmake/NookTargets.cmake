@@ -6,7 +6,7 @@ add_library(nook_flags INTERFACE)
 target_compile_options(nook_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor)
 # Contracting a*b+c on the host would make its geometry differ between compilers.
 target_compile_options(nook_flags INTERFACE -ffp-contract=off)
-target_include_directories(nook_flags INTERFACE ${CMAKE_SOURCE_DIR}/host ${CMAKE_SOURCE_DIR})
+target_include_directories(nook_flags INTERFACE ${PROJECT_SOURCE_DIR}/host ${PROJECT_SOURCE_DIR})
 if(NOOK_SANITIZE)
   target_compile_options(nook_flags INTERFACE -fsanitize=${NOOK_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
   target_link_options(nook_flags INTERFACE -fsanitize=${NOOK_SANITIZE})
@@ -42,8 +42,8 @@ function(nook_embed target namespace root)
   add_custom_command(
     OUTPUT ${out}
     COMMAND ${CMAKE_COMMAND} -DOUT=${out} -DNAMESPACE=${namespace} -DROOT=${root} -DDIR=${CMAKE_CURRENT_SOURCE_DIR}
-            "-DFILES=${joined}" -P ${CMAKE_SOURCE_DIR}/cmake/Embed.cmake
-    DEPENDS ${inputs} ${CMAKE_SOURCE_DIR}/cmake/Embed.cmake
+            "-DFILES=${joined}" -P ${PROJECT_SOURCE_DIR}/cmake/Embed.cmake
+    DEPENDS ${inputs} ${PROJECT_SOURCE_DIR}/cmake/Embed.cmake
     VERBATIM)
   add_library(${target} STATIC ${out})
   target_link_libraries(${target} PUBLIC nook_flags)

@@ -13,6 +13,21 @@ if(NOOK_SCENES)
           FILES_MATCHING PATTERN "*.obj" PATTERN "*.mtl")
 endif()
 
+# The library, and what a project that builds on it needs (find_package(nook)).
+include(CMakePackageConfigHelpers)
+install(TARGETS nook_library EXPORT nookTargets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/host/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/nook
+        FILES_MATCHING PATTERN "*.hpp" PATTERN app EXCLUDE PATTERN page EXCLUDE)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/host/base/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/nook)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/kernels/shared DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/nook/kernels)
+install(FILES ${PROJECT_SOURCE_DIR}/kernels/config.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/nook/kernels)
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/nook)
+install(EXPORT nookTargets NAMESPACE nook:: DESTINATION ${package})
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/nookConfig.cmake.in ${PROJECT_BINARY_DIR}/nookConfig.cmake
+                              INSTALL_DESTINATION ${package})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/nookConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/nookConfig.cmake ${PROJECT_BINARY_DIR}/nookConfigVersion.cmake DESTINATION ${package})
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "nook maintainers <nook@example.org>")
 set(CPACK_PACKAGE_DESCRIPTION

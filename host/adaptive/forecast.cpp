@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "adaptive/replicated_pilot.hpp"
+#include "math/median.hpp"
 
 namespace nook {
 namespace {
@@ -68,7 +69,7 @@ Forecast forecast(OcclusionTracer& tracer, const Plan& plan, const ErrorTarget& 
   } while (since(start) < seconds && taken + samples_a_pass < plan.spp && taken < 4096);
 
   Forecast made;
-  made.samples_per_second = median(rates);
+  made.samples_per_second = upper_median(rates);
   for (const double error : errors) {
     double total = 0;
     for (const std::uint32_t pixel : pixels) {

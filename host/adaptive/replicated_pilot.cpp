@@ -5,12 +5,6 @@
 
 namespace nook {
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 ReplicatedPilot::ReplicatedPilot(OcclusionTracer& tracer, const Plan& plan, const ErrorTarget& target,
                                  std::vector<std::uint32_t> positions)
     : target_(target),

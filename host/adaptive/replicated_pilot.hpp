@@ -9,9 +9,6 @@
 
 namespace nook {
 
-/// Of at least one value; of an even number, the upper of the middle two.
-double median(std::vector<double> values);
-
 /// A few pixels rendered as AdaptiveRender does with randomised sequences, to predict what all of them will
 /// need.
 class ReplicatedPilot {

@@ -5,17 +5,12 @@
 #include <cmath>
 #include <limits>
 
+#include "math/median.hpp"
+
 namespace nook {
 namespace {
 
 constexpr double z95 = 1.959963984540054;
-
-// The lower median: of two times, the one that was disturbed less.
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  return values[(values.size() - 1) / 2];
-}
 
 double mean(const std::vector<double>& values) {
   double sum = 0;
@@ -49,9 +44,9 @@ std::uint32_t runs_wanted(const StudyMethod& method, double level) {
 PointSummary summarise(const StudyPoint& point) {
   PointSummary s;
   s.rmse = root(mean_band(of_runs(point, [](const StudyRun& r) { return r.mean_square_error; })));
-  s.wall_seconds = median(of_runs(point, [](const StudyRun& r) { return r.wall_seconds; }));
-  s.device_seconds = median(of_runs(point, [](const StudyRun& r) { return r.device_seconds; }));
-  s.rays = median(of_runs(point, [](const StudyRun& r) { return r.rays; }));
+  s.wall_seconds = lower_median(of_runs(point, [](const StudyRun& r) { return r.wall_seconds; }));
+  s.device_seconds = lower_median(of_runs(point, [](const StudyRun& r) { return r.device_seconds; }));
+  s.rays = lower_median(of_runs(point, [](const StudyRun& r) { return r.rays; }));
   s.covered = mean(of_runs(point, [](const StudyRun& r) { return r.covered; }));
   s.error_claimed = mean(of_runs(point, [](const StudyRun& r) { return r.error_claimed; }));
   s.mean_error = mean(of_runs(point, [](const StudyRun& r) { return r.mean_error; }));

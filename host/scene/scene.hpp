@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -138,5 +139,11 @@ struct Scene {
   bool compat_tinyrender = false;  ///< automatic AO limit 1.5, as the course's images have
   bool denoise = false;            ///< filter what is traced; see image/denoise.hpp
 };
+
+/// True if all that the scene asks for is SSAO: nothing of OpenCL is loaded then, and no tree is built.
+inline bool is_ssao_alone(const Scene& scene) {
+  return std::all_of(scene.effects.begin(), scene.effects.end(),
+                     [](const Effect& e) { return e.kind == EffectKind::ssao; });
+}
 
 }  // namespace nook

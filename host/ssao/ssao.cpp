@@ -13,9 +13,9 @@ namespace nook {
 namespace {
 
 // Ends each pass with glFinish and notes how long it took.
-class Stopwatch {
+class PassTimer {
  public:
-  Stopwatch(const GlContext& context, std::vector<SsaoTiming>& timings)
+  PassTimer(const GlContext& context, std::vector<SsaoTiming>& timings)
       : context_(context), timings_(timings) {
     context.functions().glFinish();
     last_ = Clock::now();
@@ -135,7 +135,7 @@ SsaoFrame SsaoRenderer::render(const Camera& camera, const SsaoPlan& plan, int w
   SsaoFrame frame;
   frame.width = width;
   frame.height = height;
-  Stopwatch watch(*s.context, frame.timings);
+  PassTimer watch(*s.context, frame.timings);
   s.geometry.draw(view, *s.buffer, plan.layers);
   watch.lap("geometry");
   const GlFramebuffer& result =

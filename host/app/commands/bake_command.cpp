@@ -8,14 +8,12 @@
 #include "app/commands/bake_texture.hpp"
 #include "app/interrupt.hpp"
 #include "app/options/scene_options.hpp"
+#include "app/progress.hpp"
 #include "base/error.hpp"
-#include "bvh/bvh.hpp"
 #include "film/bent_cone.hpp"
 #include "mesh/ply.hpp"
-#include "plan/scene_mesh.hpp"
-#include "plan/tree_options.hpp"
 #include "points/vertex_points.hpp"
-#include "trace/occlusion_tracer.hpp"
+#include "render/scene_renderer.hpp"
 
 namespace nook {
 namespace {
@@ -72,12 +70,11 @@ std::vector<VertexProperty> properties_of(const EffectPlan& effect, const Film& 
   return made;
 }
 
-void write_vertices(const std::filesystem::path& output, const TriangleMesh& mesh, const Plan& plan,
-                    OcclusionTracer& tracer) {
+void write_vertices(const std::filesystem::path& output, SceneRenderer& renderer, RunObserver& observer) {
+  const TriangleMesh& mesh = renderer.mesh();
+  const Plan& plan = renderer.plan();
   const std::vector<vec3> normals = position_normals(mesh);
-  const std::vector<Film> films = tracer.estimate_all(vertex_points(mesh, normals), plan.directions,
-                                                      [](auto&&...) { return !interrupted(); });
-  if (interrupted()) throw Error(ExitCode::interrupted, "interrupted; nothing was written");
+  const std::vector<Film> films = renderer.estimate(vertex_points(mesh, normals), plan.directions, &observer);
   std::vector<VertexProperty> properties;
   for (std::size_t e = 0; e < films.size(); ++e)
     for (VertexProperty& property : properties_of(plan.effects[e], films[e]))
@@ -96,25 +93,31 @@ int bake(const BakeOptions& options) {
   if (to_texture) check_texture_options(options.texture, scene, options.output);
   MeshAttributes attributes = needed_attributes(scene);
   attributes.uvs = attributes.uvs || to_texture;
-  const TriangleMesh mesh = load_scene_mesh(scene, attributes);
-  const Plan plan = make_plan(scene, mesh);
+  options.device.prepare();
+  SceneRendererOptions made;
+  made.threads = options.device.threads;
+  made.attributes = attributes;
+  made.instancing = Instancing::copies;
+  SceneRenderer renderer(
+      scene, [&] { return options.device.open(); }, std::move(made));
+  const TriangleMesh& mesh = renderer.mesh();
+  const Plan& plan = renderer.plan();
   for (const EffectPlan& effect : plan.effects)
     if (effect.effect.view_space || effect.effect.side == Side::viewer)
       throw Error(ExitCode::scene,
                   fmt::format("{}: a bake has no viewer: {}", scene.file.string(),
                               effect.effect.view_space ? "space = \"view\"" : "side = \"viewer\""));
   const TexturePoints texels = to_texture ? points_of_texture(options.texture, scene, mesh) : TexturePoints{};
-  const Device device = options.device.open();
   const double points = double(to_texture ? texels.points.size() : mesh.positions.size());
-  const double rays = points * plan.directions * double(plan.effects.size());
-  const Bvh bvh = build_bvh(mesh, tree_options(device.info(), plan, rays, options.device.threads));
-  OcclusionTracer tracer(device, plan, mesh, bvh);
+  renderer.expect_rays(points * plan.directions * double(plan.effects.size()));
+  renderer.tracer();
   catch_interrupts();
+  TerminalObserver observer(ProgressMode::none);
   if (to_texture)
-    write_texture(options.texture, texels, plan, tracer, options.output);
+    write_texture(options.texture, texels, renderer, observer, options.output);
   else
-    write_vertices(options.output, mesh, plan, tracer);
-  tracer.store_programs();
+    write_vertices(options.output, renderer, observer);
+  renderer.tracer().store_programs();
   return 0;
 }
 

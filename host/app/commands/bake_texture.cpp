@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include "app/interrupt.hpp"
 #include "base/error.hpp"
 #include "base/memory.hpp"
 #include "image/exr.hpp"
@@ -110,11 +109,10 @@ TexturePoints points_of_texture(const TextureOptions& options, const Scene& scen
   }
 }
 
-void write_texture(const TextureOptions& options, const TexturePoints& texels, const Plan& plan,
-                   OcclusionTracer& tracer, const std::filesystem::path& output) {
-  const std::vector<Film> films =
-      tracer.estimate_all(texels.points, plan.directions, [](auto&&...) { return !interrupted(); });
-  if (interrupted()) throw Error(ExitCode::interrupted, "interrupted; nothing was written");
+void write_texture(const TextureOptions& options, const TexturePoints& texels, SceneRenderer& renderer,
+                   RunObserver& observer, const std::filesystem::path& output) {
+  const Plan& plan = renderer.plan();
+  const std::vector<Film> films = renderer.estimate(texels.points, plan.directions, &observer);
   const AovRequest asked = parse_aovs(options.aovs);
   FilmPart part;
   part.layers = layer_names(plan);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "points/texture_points.hpp"
+#include "render/scene_renderer.hpp"
 #include "scene/scene.hpp"
-#include "trace/occlusion_tracer.hpp"
 
 namespace nook {
 
@@ -31,7 +31,7 @@ TexturePoints points_of_texture(const TextureOptions& options, const Scene& scen
 
 /// Estimates the plan's effects at the texels and writes the texture: the channels of a picture, and A, which
 /// is 1 on covered texels and 0 elsewhere; or a PNG of the first effect. Throws Error.
-void write_texture(const TextureOptions& options, const TexturePoints& texels, const Plan& plan,
-                   OcclusionTracer& tracer, const std::filesystem::path& output);
+void write_texture(const TextureOptions& options, const TexturePoints& texels, SceneRenderer& renderer,
+                   RunObserver& observer, const std::filesystem::path& output);
 
 }  // namespace nook

@@ -9,12 +9,9 @@
 #include "app/commands.hpp"
 #include "app/options/scene_options.hpp"
 #include "base/error.hpp"
-#include "bvh/bvh.hpp"
-#include "plan/scene_mesh.hpp"
-#include "plan/tree_options.hpp"
 #include "points/points.hpp"
+#include "render/scene_renderer.hpp"
 #include "scene/names.hpp"
-#include "trace/occlusion_tracer.hpp"
 
 namespace nook {
 namespace {
@@ -62,23 +59,26 @@ int probe(const ProbeOptions& options) {
   const Scene scene = probe_scene(options);
   MeshAttributes attributes = needed_attributes(scene);
   attributes.normals = false;
-  const TriangleMesh mesh = load_scene_mesh(scene, attributes, scene.instancing);
-  const Plan plan = make_plan(scene, mesh);
+  options.device.prepare();
+  SceneRendererOptions made;
+  made.threads = options.device.threads;
+  made.attributes = attributes;
+  SceneRenderer renderer(
+      scene, [&] { return options.device.open(); }, std::move(made));
   const bool needs_view = scene.effects.front().kind == EffectKind::ro;
-  const std::vector<SurfacePoint> points =
-      options.points == "-" ? read_points(std::cin, "standard input", needs_view, mesh.bounds)
-                            : load_points(options.points, needs_view, mesh.bounds);
-  const Device device = options.device.open();
-  const double rays = double(points.size()) * options.samples;
-  const Bvh bvh = build_bvh(mesh, tree_options(device.info(), plan, rays, options.device.threads));
-  OcclusionTracer tracer(device, plan, mesh, bvh);
-  const Film film = tracer.estimate_points(points, 0, options.samples);
+  const Bounds3& bounds = renderer.mesh().bounds;
+  const std::vector<SurfacePoint> points = options.points == "-"
+                                               ? read_points(std::cin, "standard input", needs_view, bounds)
+                                               : load_points(options.points, needs_view, bounds);
+  renderer.expect_rays(double(points.size()) * options.samples);
+  const Film film = std::move(renderer.estimate(points, options.samples).front());
   fmt::print("value,standard_error,samples\n");
   for (std::size_t i = 0; i < film.pixels(); ++i)
     fmt::print("{:.9g},{:.9g},{}\n", film.value(i), std::sqrt(film.variance(i)), film.replicates[i]);
-  if (tracer.counters().rejected)
-    fmt::print(stderr, "warning: {} samples were not finite and were left out\n", tracer.counters().rejected);
-  tracer.store_programs();
+  if (renderer.tracer().counters().rejected)
+    fmt::print(stderr, "warning: {} samples were not finite and were left out\n",
+               renderer.tracer().counters().rejected);
+  renderer.tracer().store_programs();
   return 0;
 }
 

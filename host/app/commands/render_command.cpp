@@ -1,81 +1,75 @@
 // nook render SCENE: a scene in, an EXR (and a PNG preview) out.
 #include <fmt/format.h>
 
-#include <chrono>
+#include <algorithm>
 #include <filesystem>
-#include <future>
 #include <optional>
 
 #include "app/commands.hpp"
 #include "app/commands/render_report.hpp"
-#include "app/commands/ssao_render.hpp"
 #include "app/commands/turntable.hpp"
 #include "app/interrupt.hpp"
-#include "app/options/checkpoints.hpp"
 #include "app/options/render_options.hpp"
 #include "app/progress.hpp"
 #include "base/error.hpp"
 #include "base/libraries.hpp"
-#include "bvh/bvh.hpp"
-#include "film/film_part_file.hpp"
+#include "base/stopwatch.hpp"
 #include "image/exr.hpp"
 #include "image/png.hpp"
 #include "mesh/mesh_analysis.hpp"
-#include "picture/adaptive_picture.hpp"
-#include "picture/denoise_picture.hpp"
-#include "picture/picture.hpp"
-#include "picture/ssao_layers.hpp"
-#include "picture/surface_layers.hpp"
 #include "plan/scene_camera.hpp"
-#include "plan/scene_mesh.hpp"
-#include "plan/tree_options.hpp"
-#include "render/run.hpp"
+#include "render/picture_run.hpp"
+#include "render/scene_renderer.hpp"
 #include "report/run_record.hpp"
-#include "trace/occlusion_tracer.hpp"
-#include "trace/session.hpp"
+#include "ssao/gl_context.hpp"
+#include "trace/deadline.hpp"
 
 namespace nook {
 namespace {
 
 namespace fs = std::filesystem;
 
-class Stopwatch {
- public:
-  double elapsed() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - last_).count();
-  }
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+// What is asked for, checked before anything is loaded.
+struct Job {
+  const RenderOptions& options;
+  double start = Deadline::steady_seconds();
+  Stopwatch whole;
+  AovRequest aovs;
+  ProgressMode progress = ProgressMode::none;
+  std::optional<Share> shard;
+  fs::path part_file, output;
 };
 
-std::vector<std::uint32_t> row_major(const PixelRect& window, int width) {
-  std::vector<std::uint32_t> pixels;
-  for (int y = window.y0; y < window.y1; ++y)
-    for (int x = window.x0; x < window.x1; ++x)
-      pixels.push_back(std::uint32_t(y) * std::uint32_t(width) + std::uint32_t(x));
-  return pixels;
+Job checked(Scene& scene, const RenderOptions& options) {
+  Job job{options, Deadline::steady_seconds(), {}, parse_aovs(options.aovs), {}, {}, {}, {}};
+  job.progress = parse_progress(options.progress);
+  if (options.quiet) job.progress = ProgressMode::none;
+  if (!options.stats.empty()) {
+    keep_inputs(scene, options.stats);
+    check_writable(options.stats);
+  }
+  scene.stop = options.check(scene);
+  check_memory(scene, options.aovs.size(), scene.stop.error ? largest_rule_bytes : 0);
+  job.shard = options.checkpoints.share();
+  job.part_file = options.checkpoints.file(options.scene.scene, options.output);
+  if (!job.part_file.empty()) check_writable(job.part_file);
+  job.output = job.shard ? job.part_file : options.picture_file();
+  keep_inputs(scene, job.output);
+  check_writable(job.output);
+  return job;
 }
 
-// One point at each pixel's centre, if anything is made of them.
-std::vector<SurfacePoint> surface_under_pixels(OcclusionTracer& tracer, const Plan& plan) {
-  if (!plan.surface) return {};
-  return tracer.surface_points(row_major(plan.window, plan.width));
-}
-
-// The channels that they give: AOVs and layers of type normal, position and depth.
-std::vector<Channel> channels_of_surface(const Plan& plan, const AovRequest& aovs,
-                                         const std::vector<SurfacePoint>& points) {
-  if (!plan.surface) return {};
-  std::vector<Channel> channels = surface_channels(plan, aovs, points);
-  add_surface_layers(plan, points, channels);
-  return channels;
+SceneRenderer make_renderer(const Scene& scene, const RenderOptions& options) {
+  const AovRequest aovs = parse_aovs(options.aovs);
+  const bool alone = is_ssao_alone(scene);
+  options.device.prepare(!alone);
+  if (alone) limit_gl_threads(options.device.threads);
+  SceneRendererOptions made;
+  made.threads = options.device.threads;
+  made.surface = aovs.needs_surface();
+  made.attributes = needed_attributes(scene, alone ? aovs.normal : made.surface);
+  return SceneRenderer(
+      scene, [device = options.device] { return device.open(); }, std::move(made));
 }
 
 // What a part says of its run. It holds the samples before the denoiser, which `nook merge` does not run.
@@ -85,205 +79,109 @@ FilmPart::Texts as_texts(const std::map<std::string, std::string>& metadata) {
   return texts;
 }
 
-// Writes the picture (a shard has none yet) and the record.
-void finish(const RenderOptions& options, const fs::path& output, Image& image, Stopwatch& watch,
-            Stopwatch& whole, RunRecord& record) {
-  if (!image.channels.empty()) {
-    image.metadata = record.metadata();
-    place_crop(image, record.plan);
-    write_exr(output, image);
-    if (options.png) write_png(fs::path(output).replace_extension(".png"), image);
-  }
-  record.seconds.write = watch.lap();
-  record.seconds.total = whole.lap();
-  record.libraries = mapped_libraries();
-  if (!options.stats.empty()) write_stats(options.stats, record);
-  if (!options.quiet) announce_end(record, output);
-}
-
-// The layers of the screen-space effects beside the path-traced ones.
-void add_ssao(const Scene& scene, const TriangleMesh& mesh, const RenderOptions& options, RunRecord& record,
-              Image& image) {
-  if (record.plan.ssao.empty()) return;
-  record.ssao = draw_ssao(scene, mesh, record.plan, {}, options.frames.value_or(1), image).effects;
-  if (!options.quiet) announce_ssao(record);
-}
-
-// A render and what it is made with.
-struct Job {
-  const RenderOptions& options;
-  const Scene& scene;
-  const TriangleMesh& mesh;
-  const Device& device;
-  const AovRequest& aovs;
-  StopTarget stop;
-  Deadline deadline;
-  fs::path output;
-  ProgressMode progress;
-  std::optional<Share> shard;
-};
-
-// What the tracer and the device counted.
-void record_counts(const Job& job, const OcclusionTracer& tracer, const TraceCounts& counts,
-                   RunRecord& record) {
-  record.counts = counts;
+// What the renderer and the run have counted.
+void record_counts(SceneRenderer& renderer, const PictureRun& run, RunRecord& record) {
+  record.counts = run.counts();
+  record.seconds.render = run.render_seconds();
+  record.error = run.error();
+  record.complete = run.complete();
+  if (!record.plan.needs_opencl()) return;
+  const OcclusionTracer& tracer = renderer.tracer();
   record.launches = tracer.counters().launches;
   record.device_seconds = tracer.counters().device_seconds;
   record.effect_rays = tracer.counters().effect_rays;
-  record.bytes_uploaded = job.device.bytes_uploaded();
+  record.bytes_uploaded = renderer.device().bytes_uploaded();
   record.kernels_built = tracer.programs();
 }
 
-// No effect with samples: one camera ray a pixel.
-void render_surface(const Job& job, OcclusionTracer& tracer, RunRecord& record, Stopwatch& watch,
-                    Stopwatch& whole) {
-  const PixelRect& window = record.plan.window;
-  Image image{window.width(),
-              window.height(),
-              channels_of_surface(record.plan, job.aovs, surface_under_pixels(tracer, record.plan)),
-              {}};
-  record.seconds.render = watch.lap();
-  record_counts(job, tracer, {tracer.counters().camera_rays, 0, 0}, record);
-  add_ssao(job.scene, job.mesh, job.options, record, image);
-  finish(job.options, job.output, image, watch, whole, record);
+void record_ssao(const SsaoLayers& layers, RunRecord& record) {
+  record.ssao = layers.effects;
+  if (record.plan.needs_opencl()) return;
+  record.device.name = layers.device;
+  record.device.platform_name = "OpenGL";
+  record.device.driver = layers.version;
+  record.bytes_uploaded = layers.mesh_bytes;
 }
 
-// Takes the samples and writes what they make; the exit code.
-int render_samples(const Job& job, OcclusionTracer& tracer, CheckpointWriter& writer, RunRecord& record,
-                   Stopwatch& watch, Stopwatch& whole) {
+// Writes the picture (a shard has none yet) and the record.
+void finish(const Job& job, Image& image, RunRecord& record) {
   const RenderOptions& options = job.options;
-  FilmPart::Texts of_rule;
-  if (job.stop.error)
-    of_rule = {{"error", fmt::format("{}", *job.stop.error)},
-               {"confidence", fmt::format("{}", job.stop.confidence)},
-               {"min_spp", std::to_string(job.stop.min_spp)}};
-  FilmPart::Texts identity =
-      film_identity(record.plan, record.device, record.scene_hash, record.mesh_hash, of_rule);
-  std::optional<AdaptiveRender> adaptive;
-  std::optional<Session> fixed;
-  if (job.stop.error)
-    adaptive.emplace(tracer, record.plan, error_target(job.stop), std::move(identity));
-  else
-    fixed.emplace(tracer, record.plan, std::move(identity));
-  Session& session = adaptive ? adaptive->session() : *fixed;
-  std::error_code code;
-  if (options.checkpoints.resume && fs::exists(writer.file(), code))
-    session.resume(read_film_part(writer.file()), writer.file().string());
-  session.part().layers = layer_names(record.plan);
-  session.part().aovs = options.aovs;
-  session.part().metadata = as_texts(record.metadata());
-  watch.lap();
-  record.seconds.before_first_ray = whole.elapsed();
-
-  catch_interrupts();
-  AdaptiveResult result;
-  TerminalObserver observer(job.progress);
-  const RunControl control{tracer, writer, job.deadline, observer};
-  if (adaptive) {
-    result = run_to_error(*adaptive, control);
-    record.error = ErrorRecord{result.error_asked, job.stop.confidence, result.error_reached,
-                               result.error_worst, result.share_done};
-    record.complete = result.met();
-  } else {
-    run_to_samples(session, session.share(job.shard.value_or(Share{})), job.stop.seconds.has_value(),
-                   control);
-    if (job.stop.seconds) record.error = error_of(session.films());
+  Stopwatch watch;
+  if (!image.channels.empty()) {
+    image.metadata = record.metadata();
+    write_exr(job.output, image);
+    if (options.png) write_png(fs::path(job.output).replace_extension(".png"), image);
   }
-  FilmPart& part = session.part();
-  const std::vector<SurfacePoint> surface = surface_under_pixels(tracer, record.plan);
-  part.surface = channels_of_surface(record.plan, job.aovs, surface);
-  watch.lap();
+  record.seconds.write = watch.seconds();
+  record.seconds.total = job.whole.seconds();
+  record.libraries = mapped_libraries();
+  if (!options.stats.empty()) write_stats(options.stats, record);
+  if (!options.quiet) announce_end(record, job.output);
+}
 
-  record_counts(job, tracer, part.counts, record);
-  record.seconds.render = part.render_seconds;
-  part.metadata = as_texts(record.metadata());
-  writer.write(session);
+// Makes kernels and tree ready, or forecasts; what is then known goes into the record.
+void get_ready(SceneRenderer& renderer, const Job& job, RunRecord& record) {
+  record.device = renderer.device().info();
+  if (!job.options.quiet) announce(record, renderer.scene().stop);
+  const OcclusionTracer& tracer = renderer.tracer();
+  record.seconds.bvh = renderer.seconds().bvh;
+  record.seconds.compile = renderer.seconds().compile;
+  record.kernels_from_cache = tracer.all_from_cache();
+}
+
+int render(SceneRenderer& renderer, const Job& job) {
+  const RenderOptions& options = job.options;
+  RunRecord record;
+  record.scene_file = options.scene.scene.string();
+  record.seconds.load = renderer.seconds().load;
+  record.plan = renderer.plan();
+  record.triangles = renderer.mesh().scene_triangles();
+  record.scene_hash = scene_hash(renderer.scene());
+  record.mesh_hash = mesh_hash(renderer.mesh());
+  if (record.plan.needs_opencl()) get_ready(renderer, job, record);
+
+  PictureRequest request;
+  request.aovs = options.aovs;
+  request.share = job.shard;
+  request.part_file = job.part_file;
+  request.seconds_between_parts = options.checkpoints.every.value_or(60);
+  request.resume = options.checkpoints.resume;
+  request.start = job.start;
+  request.frames = options.frames.value_or(1);
+  request.scene_hash = record.scene_hash;
+  request.mesh_hash = record.mesh_hash;
+  PictureRun run(renderer, std::move(request));
+  run.set_metadata(as_texts(record.metadata()));
+  record.seconds.before_first_ray = job.whole.seconds();
+
+  if (!record.plan.effects.empty()) catch_interrupts();
+  TerminalObserver observer(job.progress);
+  run.take(observer);
+  record_counts(renderer, run, record);
+  run.set_metadata(as_texts(record.metadata()));
+  run.keep();
   Image image;
   if (!job.shard) {
-    image = adaptive ? adaptive_picture(record.plan, part, result) : make_picture(part);
-    if (record.plan.denoise) denoise_picture(record.plan, part.films, surface, image);
-    add_ssao(job.scene, job.mesh, options, record, image);
+    const Stopwatch drawing;
+    image = run.image();
+    record_ssao(run.ssao(), record);
+    if (!record.plan.needs_opencl()) record.seconds.render = drawing.seconds();
+    if (!options.quiet) announce_ssao(record);
   }
-  finish(options, job.output, image, watch, whole, record);
+  finish(job, image, record);
+  if (record.plan.needs_opencl()) renderer.tracer().store_programs();
   return record.error ? announce_error(*record.error, options.quiet) : 0;
 }
 
-// What the pictures of one run share: made by the first that needs it.
-struct Loaded {
-  std::optional<TriangleMesh> mesh;
-  std::optional<Device> device;
-  std::optional<Bvh> bvh;
-};
-
-int render(const Scene& scene, const RenderOptions& options, Loaded& loaded) {
-  const double start = Deadline::steady_seconds();
-  const AovRequest aovs = parse_aovs(options.aovs);
-  const ProgressMode asked = parse_progress(options.progress);
-  if (!options.stats.empty()) {
-    keep_inputs(scene, options.stats);
-    check_writable(options.stats);
-  }
-  const StopTarget stop = options.check(scene);
-  check_memory(scene, options.aovs.size(), stop.error ? largest_rule_bytes : 0);
-  const bool only_screen_space = is_ssao_alone(scene);
-  const std::optional<Share> shard = options.checkpoints.share();
-  CheckpointWriter writer(options.checkpoints.file(options.scene.scene, options.output),
-                          options.checkpoints.every.value_or(60));
-  if (!writer.file().empty()) check_writable(writer.file());
-  const fs::path output = shard ? writer.file() : options.picture_file();
-  keep_inputs(scene, output);
-  check_writable(output);
-  if (only_screen_space)
-    return render_ssao(scene,
-                       {options.scene.scene, output, options.stats, aovs, options.frames.value_or(1),
-                        options.device.threads, options.png, options.quiet},
-                       loaded.mesh);
-
-  Stopwatch whole, watch;
+int forecast_only(SceneRenderer& renderer, const Job& job) {
   RunRecord record;
-  record.scene_file = options.scene.scene.string();
-  // Starting OpenCL takes longer than reading a small mesh, compiling about as long as building a tree.
-  std::future<Device> opened;
-  if (!loaded.device) options.device.prepare();
-  if (!loaded.device) opened = std::async(std::launch::async, [&] { return options.device.open(); });
-  if (!loaded.mesh)
-    loaded.mesh = load_scene_mesh(scene, needed_attributes(scene, aovs.needs_surface()), scene.instancing);
-  const TriangleMesh& mesh = *loaded.mesh;
-  record.seconds.load = watch.lap();
-  const Plan all = make_plan(scene, mesh, aovs.needs_surface());
-  record.plan = options.target.dry_run ? plan_to_forecast(stop, all) : plan_until(stop, all);
-  record.triangles = mesh.scene_triangles();
-  if (!loaded.device) loaded.device.emplace(opened.get());
-  const Device& device = *loaded.device;
-  record.device = device.info();
-  if (!options.quiet) announce(record, stop);
-  watch.lap();
-  const BvhOptions tree =
-      tree_options(device.info(), record.plan, planned_rays(record.plan), options.device.threads);
-  const unsigned width = loaded.bvh ? loaded.bvh->width() : tree.width;
-  std::future<OcclusionTracer::Programs> programs = std::async(
-      std::launch::async, [&] { return OcclusionTracer::build_programs(device, record.plan, width); });
-  if (!loaded.bvh) loaded.bvh = build_bvh(mesh, tree);
-  const Bvh& bvh = *loaded.bvh;
-  record.seconds.bvh = watch.lap();
-  OcclusionTracer tracer(device, record.plan, mesh, bvh, kernel_source, Traversal::automatic, programs.get());
-  record.seconds.compile = tracer.build_seconds();
-  record.kernels_from_cache = tracer.all_from_cache();
-  record.scene_hash = scene_hash(scene);
-  record.mesh_hash = mesh_hash(mesh);
-
-  const Deadline deadline(stop.seconds ? std::optional(start + *stop.seconds) : std::nullopt);
-  const ProgressMode progress = options.quiet ? ProgressMode::none : asked;
-  const Job job{options, scene, mesh, device, aovs, stop, deadline, output, progress, shard};
-  int code = 0;
-  if (options.target.dry_run)
-    print_forecast(tracer, record.plan, stop);
-  else if (record.plan.effects.empty())
-    render_surface(job, tracer, record, watch, whole);
-  else
-    code = render_samples(job, tracer, writer, record, watch, whole);
-  tracer.store_programs();
-  return code;
+  renderer.set_plan(plan_to_forecast(renderer.scene().stop, renderer.plan()));
+  record.plan = renderer.plan();
+  record.triangles = renderer.mesh().scene_triangles();
+  get_ready(renderer, job, record);
+  print_forecast(renderer.tracer(), record.plan, renderer.scene().stop);
+  renderer.tracer().store_programs();
+  return 0;
 }
 
 // One picture after the other; the code is that of the worst.
@@ -301,24 +199,22 @@ int render_turntable(const Scene& scene, const RenderOptions& options) {
     return one;
   };
   for (unsigned i = 0; i < options.turntable; ++i) {
-    const RenderOptions one = picture(i);
-    for (const fs::path& file : {one.output, one.stats}) {
-      if (file.empty()) continue;
-      keep_inputs(scene, file);
-      check_writable(file);
-    }
+    Scene copy = scene;
+    checked(copy, picture(i));
   }
-  Loaded loaded;
-  const bool surface =
-      is_ssao_alone(scene) ? parse_aovs(options.aovs).normal : parse_aovs(options.aovs).needs_surface();
-  loaded.mesh = load_scene_mesh(scene, needed_attributes(scene, surface), scene.instancing);
-  const Camera camera = resolve_camera(scene, loaded.mesh->subject_bounds());
+  Scene still = scene;
+  still.stop = options.check(scene);
+  SceneRenderer renderer = make_renderer(still, options);
+  const Camera camera = resolve_camera(scene, renderer.mesh().subject_bounds());
   int worst = 0;
   for (unsigned i = 0; i < options.turntable; ++i) {
     Scene turned = scene;
     turned.automatic_camera = false;
     turned.camera = turned_camera(camera, i, options.turntable);
-    worst = std::max(worst, render(turned, picture(i), loaded));
+    const RenderOptions one = picture(i);
+    const Job job = checked(turned, one);
+    SceneRenderer view(renderer, turned);
+    worst = std::max(worst, render(view, job));
   }
   return worst;
 }
@@ -332,8 +228,9 @@ int render(const RenderOptions& options) {
     return 0;
   }
   if (options.turntable > 0) return render_turntable(scene, options);
-  Loaded loaded;
-  return render(scene, options, loaded);
+  const Job job = checked(scene, options);
+  SceneRenderer renderer = make_renderer(scene, options);
+  return options.target.dry_run ? forecast_only(renderer, job) : render(renderer, job);
 }
 
 }  // namespace

@@ -35,6 +35,11 @@ void announce(const RunRecord& record, const StopTarget& stop) {
 }
 
 void announce_end(const RunRecord& r, const std::filesystem::path& output) {
+  if (!r.plan.needs_opencl()) {
+    fmt::print(stderr, "{}: load {:.2f} s, render {:.2f} s, write {:.2f} s\n", output.string(),
+               r.seconds.load, r.seconds.render, r.seconds.write);
+    return;
+  }
   fmt::print(stderr,
              "{}: load {:.2f} s, tree {:.2f} s, kernels {:.2f} s{}, render {:.2f} s ({:.1f} Mrays/s), write "
              "{:.2f} s\n",

@@ -11,14 +11,11 @@
 #include "app/options/scene_options.hpp"
 #include "base/error.hpp"
 #include "base/version.hpp"
-#include "bvh/bvh.hpp"
 #include "image/exr.hpp"
 #include "mesh/mesh_analysis.hpp"
-#include "plan/scene_mesh.hpp"
-#include "plan/tree_options.hpp"
+#include "render/scene_renderer.hpp"
 #include "report/study_page.hpp"
 #include "scene/names.hpp"
-#include "trace/occlusion_tracer.hpp"
 
 namespace nook {
 namespace {
@@ -168,12 +165,16 @@ int study(const StudyOptions& options) {
   if (!fs::is_directory(folder, code))
     throw Error(ExitCode::output, fmt::format("{}: cannot make the folder", folder.string()));
 
-  const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene, false));
-  const Device device = options.device.open();
-  // A study's rays are many.
-  const Bvh bvh =
-      build_bvh(mesh, tree_options(device.info(), make_plan(scene, mesh),
-                                   std::numeric_limits<double>::infinity(), options.device.threads));
+  options.device.prepare();
+  SceneRendererOptions prepared;
+  prepared.threads = options.device.threads;
+  prepared.instancing = Instancing::copies;
+  SceneRenderer renderer(
+      scene, [&] { return options.device.open(); }, std::move(prepared));
+  renderer.expect_rays(std::numeric_limits<double>::infinity());  // a study's are many
+  const TriangleMesh& mesh = renderer.mesh();
+  const Device& device = renderer.device();
+  const Bvh& bvh = renderer.tree();
   catch_interrupts();
 
   // As many pixels as the budget can afford; the size of an earlier study in the folder, so that it can go

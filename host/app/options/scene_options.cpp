@@ -233,10 +233,11 @@ void DeviceOptions::add_to(CLI::App& command) {
       ->envname("NOOK_THREADS");
 }
 
-void DeviceOptions::prepare() const {
-  limit_threads(threads);
+void DeviceOptions::prepare(bool opencl) const {
   limit_exr_threads(threads);
   limit_own_threads(threads);
+  if (!opencl) return;
+  limit_threads(threads);
   give_pocl_its_own_folder();
 }
 

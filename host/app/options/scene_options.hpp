@@ -40,9 +40,9 @@ struct DeviceOptions {
   unsigned threads = 0;
 
   void add_to(CLI::App& command);
-  /// What must be settled before the device is opened, while no other thread runs: numbers of threads, and
-  /// environment variables for PoCL.
-  void prepare() const;
+  /// What must be settled before a device is opened, while no other thread runs: numbers of threads, and,
+  /// for `opencl`, environment variables for PoCL.
+  void prepare(bool opencl = true) const;
   Device open() const;  ///< prepares, too
 };
 

@@ -73,24 +73,10 @@ StopTarget TargetOptions::resolve(const Scene& scene, bool spp) const {
   return stop;
 }
 
-ErrorTarget error_target(const StopTarget& stop) {
-  return {*stop.error, stop.confidence, stop.min_spp, stop.max_spp};
-}
-
 Plan plan_to_forecast(const StopTarget& stop, const Plan& plan) {
   StopTarget least = stop;
   for (const double error : errors_forecast) least.error = std::min(*least.error, error);
   return plan_until(least, plan);
-}
-
-Plan plan_until(const StopTarget& stop, const Plan& plan) {
-  if (stop.error) return AdaptiveRender::plan_for(plan, error_target(stop));
-  Plan made = plan;
-  if (stop.seconds) {
-    made.spp = std::max(2u, stop.max_spp);
-    made.replicate_directions = false;
-  }
-  return made;
 }
 
 void print_forecast(OcclusionTracer& tracer, const Plan& plan, const StopTarget& stop) {

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "adaptive/adaptive.hpp"
+#include "adaptive/stop_target.hpp"
 #include "scene/scene.hpp"
 
 namespace nook {
@@ -20,12 +21,6 @@ struct TargetOptions {
   /// of other flags. Throws Error(usage) for flags that do not go together.
   StopTarget resolve(const Scene& scene, bool spp) const;
 };
-
-/// The target of the stop rules; `stop` has an error.
-ErrorTarget error_target(const StopTarget& stop);
-
-/// The plan to render by: the samples a pixel may have, and the sampler that a stop rule needs.
-Plan plan_until(const StopTarget& stop, const Plan& plan);
 
 /// The plan for print_forecast().
 Plan plan_to_forecast(const StopTarget& stop, const Plan& plan);
