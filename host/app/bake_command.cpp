@@ -7,13 +7,13 @@
 #include "app/bake_texture.hpp"
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
+#include "app/loading.hpp"
 #include "app/scene_options.hpp"
 #include "base/error.hpp"
 #include "bvh/bvh.hpp"
 #include "film/bent_cone.hpp"
 #include "mesh/ply.hpp"
 #include "render/path_tracer.hpp"
-#include "render/scene_mesh.hpp"
 #include "render/tree_options.hpp"
 #include "render/vertex_points.hpp"
 
@@ -96,7 +96,7 @@ int bake(const BakeOptions& options) {
   if (to_texture) check_texture_options(options.texture, scene, options.output);
   MeshAttributes attributes = needed_attributes(scene);
   attributes.uvs = attributes.uvs || to_texture;
-  const TriangleMesh mesh = load_scene_mesh(scene, attributes);
+  const TriangleMesh mesh = load_and_warn(scene, attributes);
   const Plan plan = make_plan(scene, mesh);
   for (const EffectPlan& effect : plan.effects)
     if (effect.effect.view_space || effect.effect.side == Side::viewer)

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "app/commands.hpp"
+#include "app/loading.hpp"
 #include "app/scene_options.hpp"
 #include "mesh/mesh_analysis.hpp"
 #include "render/plan.hpp"
-#include "render/scene_mesh.hpp"
 #include "scene/names.hpp"
 
 namespace nook {
@@ -47,8 +47,8 @@ void print_picture(const Scene& scene, bool spp_given) {
 int print_info(const SceneOptions& options) {
   const Scene scene = options.load();
   options.check_applicable(scene);
-  const TriangleMesh mesh = load_scene_mesh(
-      scene, {.normals = true, .uvs = false, .materials = true, .groups = true}, scene.instancing);
+  const TriangleMesh mesh = load_and_warn(
+      scene, {.normals = true, .uvs = true, .materials = true, .groups = true}, scene.instancing);
   const MeshAnalysis analysis = analyse(mesh);
   const vec3 lo = mesh.bounds.lo, hi = mesh.bounds.hi, center = mesh.bounds.center();
   fmt::print("mesh              {}\n", scene.mesh_file.string());

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/loading.hpp"
 #include "app/scene_options.hpp"
 #include "bvh/bvh.hpp"
 #include "render/plan_report.hpp"
-#include "render/scene_mesh.hpp"
 #include "scene/names.hpp"
 
 namespace nook {
@@ -116,7 +116,7 @@ void print_json(const Plan& plan, const TriangleMesh& mesh, const PlanReport& re
 
 int show_plan(const PlanOptions& options) {
   const Scene scene = options.scene.load();
-  const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene), scene.instancing);
+  const TriangleMesh mesh = load_and_warn(scene, needed_attributes(scene), scene.instancing);
   const Plan plan = make_plan(scene, mesh);
   std::optional<Bvh> bvh;
   if (plan.needs_opencl()) bvh = build_bvh(mesh);  // of 16 children a node: no device is asked

@@ -7,12 +7,12 @@
 #include <limits>
 
 #include "app/commands.hpp"
+#include "app/loading.hpp"
 #include "app/scene_options.hpp"
 #include "base/error.hpp"
 #include "bvh/bvh.hpp"
 #include "render/path_tracer.hpp"
 #include "render/points.hpp"
-#include "render/scene_mesh.hpp"
 #include "render/tree_options.hpp"
 #include "scene/names.hpp"
 
@@ -62,7 +62,7 @@ int probe(const ProbeOptions& options) {
   const Scene scene = probe_scene(options);
   MeshAttributes attributes = needed_attributes(scene);
   attributes.normals = false;
-  const TriangleMesh mesh = load_scene_mesh(scene, attributes, scene.instancing);
+  const TriangleMesh mesh = load_and_warn(scene, attributes, scene.instancing);
   const Plan plan = make_plan(scene, mesh);
   const bool needs_view = scene.effects.front().kind == EffectKind::ro;
   const std::vector<SurfacePoint> points =

@@ -9,6 +9,7 @@
 #include "app/checkpoints.hpp"
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
+#include "app/loading.hpp"
 #include "app/render_options.hpp"
 #include "app/render_report.hpp"
 #include "app/render_run.hpp"
@@ -26,7 +27,6 @@
 #include "render/layers.hpp"
 #include "render/path_tracer.hpp"
 #include "render/picture.hpp"
-#include "render/scene_mesh.hpp"
 #include "render/session.hpp"
 #include "render/tree_options.hpp"
 #include "report/run_record.hpp"
@@ -242,7 +242,7 @@ int render(const Scene& scene, const RenderOptions& options, Loaded& loaded) {
   if (!loaded.device) options.device.prepare();
   if (!loaded.device) opened = std::async(std::launch::async, [&] { return options.device.open(); });
   if (!loaded.mesh)
-    loaded.mesh = load_scene_mesh(scene, needed_attributes(scene, aovs.needs_surface()), scene.instancing);
+    loaded.mesh = load_and_warn(scene, needed_attributes(scene, aovs.needs_surface()), scene.instancing);
   const TriangleMesh& mesh = *loaded.mesh;
   record.seconds.load = watch.lap();
   const Plan all = make_plan(scene, mesh, aovs.needs_surface());
@@ -306,7 +306,7 @@ int render_turntable(const Scene& scene, const RenderOptions& options) {
   Loaded loaded;
   const bool surface =
       is_ssao_alone(scene) ? parse_aovs(options.aovs).normal : parse_aovs(options.aovs).needs_surface();
-  loaded.mesh = load_scene_mesh(scene, needed_attributes(scene, surface), scene.instancing);
+  loaded.mesh = load_and_warn(scene, needed_attributes(scene, surface), scene.instancing);
   const Camera camera = resolve_camera(scene, loaded.mesh->subject_bounds());
   int worst = 0;
   for (unsigned i = 0; i < options.turntable; ++i) {

@@ -12,6 +12,7 @@
 #include "base/threads.hpp"
 #include "device/pocl_folder.hpp"
 #include "film/exr.hpp"
+#include "mesh/load_mesh.hpp"
 #include "render/plan.hpp"
 #include "scene/names.hpp"
 #include "scene/scene_toml.hpp"
@@ -104,16 +105,12 @@ std::string stop_toml(const Scene& s) {
   return out + fmt::format("max_spp = {}\n", s.stop.max_spp);
 }
 
-bool is_mesh(const std::filesystem::path& file) {
-  const std::string extension = file.extension().string();
-  return extension == ".obj" || extension == ".OBJ" || extension == ".ply" || extension == ".PLY";
-}
-
 }  // namespace
 
 void SceneOptions::add_to(CLI::App& command) {
   const CLI::Range count(1, 1 << 26);
-  command.add_option("scene", scene, "Scene file (TOML), or a bare .obj or .ply mesh")->required();
+  command.add_option("scene", scene, "Scene file (TOML), or a bare mesh: .obj, .ply, .stl, each also .gz")
+      ->required();
   command.add_option("--spp", spp, "Camera rays a pixel; powers of two are best for sobol")
       ->check(count)
       ->envname("NOOK_SPP");
@@ -150,6 +147,7 @@ void check_samples(const Scene& scene, std::uint64_t spp) {
 }
 
 Scene SceneOptions::load() const {
+  if (is_unread_mesh(scene)) refuse_format(scene);
   Scene loaded = is_mesh(scene) ? scene_of_mesh(scene) : load_scene(scene);
   if (exponent && std::isnan(*exponent))
     throw Error(ExitCode::usage, "--exponent: 'nan' is not a number from 0 to 1e7");

@@ -1,4 +1,5 @@
 #include "app/ssao_render.hpp"
+#include "app/loading.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +15,6 @@
 #include "film/png.hpp"
 #include "mesh/mesh_analysis.hpp"
 #include "render/picture.hpp"
-#include "render/scene_mesh.hpp"
 
 namespace nook {
 
@@ -34,7 +34,7 @@ int render_ssao(const Scene& scene, const SsaoRun& run, std::optional<TriangleMe
   limit_own_threads(run.threads);
   // llvmpipe has no other way; it reads this when the context is made.
   if (run.threads > 0) setenv("LP_NUM_THREADS", std::to_string(run.threads).c_str(), 1);
-  if (!loaded) loaded = load_scene_mesh(scene, needed_attributes(scene, run.aovs.normal));
+  if (!loaded) loaded = load_and_warn(scene, needed_attributes(scene, run.aovs.normal));
   const TriangleMesh& mesh = *loaded;
   record.seconds.load = seconds_since(start);
   record.plan = make_plan(scene, mesh);

@@ -8,6 +8,7 @@
 
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
+#include "app/loading.hpp"
 #include "app/scene_options.hpp"
 #include "base/error.hpp"
 #include "base/version.hpp"
@@ -15,7 +16,6 @@
 #include "film/exr.hpp"
 #include "mesh/mesh_analysis.hpp"
 #include "render/path_tracer.hpp"
-#include "render/scene_mesh.hpp"
 #include "render/tree_options.hpp"
 #include "report/study_page.hpp"
 #include "scene/names.hpp"
@@ -168,7 +168,7 @@ int study(const StudyOptions& options) {
   if (!fs::is_directory(folder, code))
     throw Error(ExitCode::output, fmt::format("{}: cannot make the folder", folder.string()));
 
-  const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene, false));
+  const TriangleMesh mesh = load_and_warn(scene, needed_attributes(scene, false));
   const Device device = options.device.open();
   // A study's rays are many.
   const Bvh bvh =

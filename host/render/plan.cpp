@@ -142,6 +142,7 @@ MeshAttributes needed_attributes(const Scene& scene, bool surface) {
     needs.normals =
         needs.normals || (effect.kind != EffectKind::position && effect.kind != EffectKind::depth);
   needs.materials = any_lobe_of_material(scene) || scene.cutouts;
+  needs.exponents = any_lobe_of_material(scene);
   needs.uvs = scene.cutouts;
   for (const Effect& effect : scene.effects) {
     const bool names = !effect.occluders.empty() || !effect.receivers.empty();

@@ -1,0 +1,16 @@
+#include "app/loading.hpp"
+
+#include <cstdio>
+
+#include "render/scene_mesh.hpp"
+
+namespace nook {
+
+TriangleMesh load_and_warn(const Scene& scene, const MeshAttributes& attributes, Instancing instancing) {
+  TriangleMesh mesh = load_scene_mesh(scene, attributes, instancing);
+  for (const std::string& warning : mesh.report.warnings)
+    std::fputs(("warning: " + warning + "\n").c_str(), stderr);
+  return mesh;
+}
+
+}  // namespace nook
