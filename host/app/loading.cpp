@@ -1,5 +1,7 @@
 #include "app/loading.hpp"
 
+#include <fmt/format.h>
+
 #include <cstdio>
 
 #include "render/scene_mesh.hpp"
@@ -9,7 +11,7 @@ namespace nook {
 TriangleMesh load_and_warn(const Scene& scene, const MeshAttributes& attributes, Instancing instancing) {
   TriangleMesh mesh = load_scene_mesh(scene, attributes, instancing);
   for (const std::string& warning : mesh.report.warnings)
-    std::fputs(("warning: " + warning + "\n").c_str(), stderr);
+    std::fputs(fmt::format("warning: {}\n", warning).c_str(), stderr);
   return mesh;
 }
 

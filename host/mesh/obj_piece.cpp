@@ -115,9 +115,9 @@ class Reader {
     const std::size_t limits[3] = {all_.positions, all_.uvs, all_.normals};
     static constexpr const char* kinds[3] = {"positions", "texture coordinates", "normals"};
     std::string_view left = word;
-    for (int part = 0;; ++part) {
-      if (part == 3)
-        return fmt::format("a face's corner '{}' has more than three indices", word.substr(0, 40));
+    if (std::count(word.begin(), word.end(), '/') > 2)
+      return fmt::format("a face's corner '{}' has more than three indices", word.substr(0, 40));
+    for (std::size_t part = 0;; ++part) {
       const std::size_t slash = std::min(left.find('/'), left.size());
       const std::string_view digits = left.substr(0, slash);
       if (part == 0 || !digits.empty())
