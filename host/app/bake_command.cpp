@@ -47,13 +47,8 @@ Scene bake_scene(const BakeOptions& options) {
   return scene;
 }
 
-// "near." -> "near"; without a name the effect's own.
-std::string property_name(const EffectPlan& effect) {
-  return effect.layer.empty() ? "ao" : effect.layer.substr(0, effect.layer.size() - 1);
-}
-
 std::vector<VertexProperty> properties_of(const EffectPlan& effect, const Film& film) {
-  const std::string name = property_name(effect);
+  const std::string name = effect.label();
   std::vector<VertexProperty> made;
   const auto add = [&](const std::string& property, auto get) {
     std::vector<float> values(film.pixels());

@@ -2,7 +2,6 @@
 // no device.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
@@ -10,6 +9,7 @@
 #include "app/scene_options.hpp"
 #include "bvh/bvh.hpp"
 #include "render/plan_report.hpp"
+#include "scene/effect_keys.hpp"
 #include "scene/names.hpp"
 
 namespace nook {
@@ -33,31 +33,13 @@ std::string layer_text(const LayerPlan& layer) {
   return layer.prefix + (layer.kind == EffectKind::depth ? "Z" : is_surface(layer.kind) ? "X,Y,Z" : "R,G,B");
 }
 
-std::string settings_text(const EffectPlan& effect) {
-  std::string text =
-      fmt::format("{}, distance {}", name_of(effect.effect.sampling),
-                  std::isinf(effect.max_distance) ? "unlimited" : fmt::format("{:.6g}", effect.max_distance));
-  const Effect& e = effect.effect;
-  if (e.falloff != Falloff::none) text += fmt::format(", {} falloff", name_of(e.falloff));
-  if (e.min_distance > 0) text += fmt::format(", from {:g} on", e.min_distance);
-  if (e.kind != EffectKind::ro && e.cone_angle < 90)
-    text += fmt::format(", cone of {:g} degrees", e.cone_angle);
-  if (e.only_self) text += ", occluded by its own group";
-  if (!e.occluders.empty()) text += fmt::format(", occluders {}", fmt::join(e.occluders, "+"));
-  if (!e.receivers.empty()) text += fmt::format(", receivers {}", fmt::join(e.receivers, "+"));
-  if (e.side != Side::normal) text += fmt::format(", side {}", name_of(e.side));
-  if (e.kind == EffectKind::ro)
-    text += e.exponent_of_material ? ", exponent of the material" : fmt::format(", exponent {}", e.exponent);
-  return text;
-}
-
 void print_layers(const Plan& plan) {
   fmt::print("\nLayers\n");
   auto traced = plan.effects.begin();
   for (const LayerPlan& layer : plan.layers) {
     const bool settings = layer.kind != EffectKind::ssao && !is_surface(layer.kind);
     fmt::print("  {:<24} {:<9} {}\n", layer_text(layer), name_of(layer.kind),
-               settings ? settings_text(*traced++) : "");
+               settings ? settings_text((traced++)->resolved()) : "");
   }
 }
 
@@ -102,7 +84,7 @@ void print_json(const Plan& plan, const TriangleMesh& mesh, const PlanReport& re
   for (const LayerPlan& layer : plan.layers) {
     nlohmann::json entry = {{"channels", layer_text(layer)}, {"type", name_of(layer.kind)}};
     if (layer.kind != EffectKind::ssao && !is_surface(layer.kind))
-      entry["settings"] = settings_text(*traced++);
+      entry["settings"] = settings_text((traced++)->resolved());
     json["layers"].push_back(entry);
   }
   for (const PassReport& pass : report.passes)

@@ -14,7 +14,7 @@
 #include "render/path_tracer.hpp"
 #include "render/points.hpp"
 #include "render/tree_options.hpp"
-#include "scene/names.hpp"
+#include "scene/effect_keys.hpp"
 
 namespace nook {
 namespace {
@@ -33,18 +33,15 @@ Scene probe_scene(const ProbeOptions& options) {
   if (!options.effect.empty()) {
     const EffectKind kind = options.effect == "ro" ? EffectKind::ro : EffectKind::ao;
     if (kind != effect.kind) {
-      const bool limit_given = options.scene.max_distance.has_value();
+      const Effect standard = default_effect(kind);
       effect.kind = kind;
-      if (!options.scene.sampling)
-        effect.sampling = kind == EffectKind::ro ? Sampling::lobe : Sampling::cosine;
-      if (!limit_given) effect.max_distance = {};
+      effect.sampling = standard.sampling;
+      effect.max_distance = standard.max_distance;
+      options.scene.apply(effect);
     }
   }
   if (effect.kind != EffectKind::ao && effect.kind != EffectKind::ro)
     throw Error(ExitCode::usage, "--effect: a probe needs ao or ro");
-  if (effect.kind == EffectKind::ao &&
-      (effect.sampling == Sampling::lobe || effect.sampling == Sampling::mixture))
-    throw Error(ExitCode::usage, fmt::format("--sampling: {} needs --effect ro", name_of(effect.sampling)));
   if (effect.kind == EffectKind::ro && effect.exponent_of_material)
     throw Error(ExitCode::usage, "points have no material: --exponent gives the one to use");
   if (effect.only_self)

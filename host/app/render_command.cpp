@@ -30,6 +30,7 @@
 #include "render/session.hpp"
 #include "render/tree_options.hpp"
 #include "report/run_record.hpp"
+#include "scene/scene_writer.hpp"
 
 namespace nook {
 namespace {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "scene/layer_names.hpp"
 #include "scene/names.hpp"
 #include "ssao/ssao.hpp"
 
@@ -75,6 +76,7 @@ void draw_ssao(const Scene& scene, const TriangleMesh& mesh, const AovRequest& a
     while (plan.layers[layer_index].kind != EffectKind::ssao) ++layer_index;
     const LayerPlan& layer = plan.layers[layer_index++];
     SsaoRecord& drawn = record.ssao.emplace_back();
+    drawn.name = effect_label(layer.kind, layer.prefix);
     drawn.settings = settings;
     drawn.plan = plan_ssao(settings, mesh.subject_bounds());
     drawn.plan.as_published = scene.compat_tinyrender && !settings.quality;
@@ -97,10 +99,10 @@ void draw_ssao(const Scene& scene, const TriangleMesh& mesh, const AovRequest& a
 
 void announce_ssao(const RunRecord& record) {
   for (const SsaoRecord& drawn : record.ssao) {
-    fmt::print(stderr,
-               "ssao {}x{}, {} triangles, {}, radius {:.6g} world units: {:.1f} ms a frame, {:.1f} fps (",
-               record.plan.width, record.plan.height, record.triangles, name_of(drawn.plan.method),
-               drawn.plan.radius, 1e3 * drawn.seconds_per_frame, 1 / std::max(drawn.seconds_per_frame, 1e-9));
+    fmt::print(
+        stderr, "{} {}x{}, {} triangles, {}, radius {:.6g} world units: {:.1f} ms a frame, {:.1f} fps (",
+        drawn.name, record.plan.width, record.plan.height, record.triangles, name_of(drawn.plan.method),
+        drawn.plan.radius, 1e3 * drawn.seconds_per_frame, 1 / std::max(drawn.seconds_per_frame, 1e-9));
     for (std::size_t i = 0; i < drawn.passes.size(); ++i)
       fmt::print(stderr, "{}{} {:.1f}", i == 0 ? "" : ", ", drawn.passes[i].pass,
                  1e3 * drawn.passes[i].seconds);

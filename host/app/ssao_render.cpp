@@ -15,6 +15,7 @@
 #include "film/png.hpp"
 #include "mesh/mesh_analysis.hpp"
 #include "render/picture.hpp"
+#include "scene/scene_writer.hpp"
 
 namespace nook {
 

@@ -18,7 +18,9 @@
 #include "render/path_tracer.hpp"
 #include "render/tree_options.hpp"
 #include "report/study_page.hpp"
+#include "scene/effect_keys.hpp"
 #include "scene/names.hpp"
+#include "scene/scene_writer.hpp"
 
 namespace nook {
 namespace {
@@ -131,9 +133,7 @@ StudyFacts facts_of(const StudyOptions& options, const Scene& scene, const Study
     command += fmt::format(" --samplings {}", fmt::join(options.samplings, ","));
   if (options.scene.size) command += " --size " + *options.scene.size;
   return {{"scene", options.scene.scene.filename().string()},
-          {"effect",
-           fmt::format("{}, distance {}{}", name_of(effect.kind), distance_text(study.effect()),
-                       effect.kind == EffectKind::ro ? fmt::format(", exponent {}", effect.exponent) : "")},
+          {"effect", fmt::format("{}: {}", study.effect().label(), settings_text(study.effect().resolved()))},
           {"size", fmt::format("{}x{}", study.width(), study.height())},
           {"screen-space radius", std::isinf(study.effect().max_distance) || effect.kind == EffectKind::ro
                                       ? "no screen-space methods: the effect has no radius"

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "readers.hpp"
 #include "render/picture.hpp"
+#include "scene/scene_writer.hpp"
 #include "temporary_folder.hpp"
 
 namespace nook::fuzz {
