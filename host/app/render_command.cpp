@@ -10,6 +10,7 @@
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
 #include "app/loading.hpp"
+#include "app/picture_scene.hpp"
 #include "app/render_options.hpp"
 #include "app/render_report.hpp"
 #include "app/render_run.hpp"
@@ -77,10 +78,13 @@ std::vector<Channel> channels_of_surface(const Plan& plan, const AovRequest& aov
 }
 
 // What a part says of its run. It holds the samples before the denoiser, which `nook merge` does not run.
-FilmPart::Texts as_texts(const std::map<std::string, std::string>& metadata) {
-  FilmPart::Texts texts(metadata.begin(), metadata.end());
-  std::erase_if(texts, [](const auto& text) { return text.first == "nook/denoised"; });
-  return texts;
+FilmPart::Texts as_texts(const RunRecord& record, const Scene& scene) {
+  std::map<std::string, std::string> metadata = record.metadata();
+  Scene undenoised = scene;
+  undenoised.denoise = false;
+  metadata["nook/scene"] = scene_attribute(undenoised);
+  metadata.erase("nook/denoised");
+  return {metadata.begin(), metadata.end()};
 }
 
 // Writes the picture (a shard has none yet) and the record.
@@ -119,6 +123,7 @@ struct Job {
   fs::path output;
   ProgressMode progress;
   std::optional<Share> shard;
+  std::vector<std::uint32_t> camera_rays;  ///< of each pixel, of a picture made again; empty: all
 };
 
 // What the tracer and the device counted.
@@ -145,6 +150,28 @@ void render_surface(const Job& job, PathTracer& tracer, RunRecord& record, Stopw
   finish(job.options, job.output, image, watch, whole, record);
 }
 
+// All of a share's samples, as many as the time allows, or those that the picture had.
+void take_samples(const Job& job, Session& session, const RunControl& control) {
+  const SampleBox share = session.share(job.shard.value_or(Share{}));
+  Session::Schedule schedule = job.stop.seconds ? doublings() : all_of(share);
+  SampleBoxes all{share};
+  if (!job.camera_rays.empty()) all = (schedule = all_of_each(session, job.camera_rays))(session);
+  run_schedule(session, schedule, samples_in(subtract(all, session.held())), control);
+}
+
+// What each pixel got, where its scene does not say it.
+void add_camera_rays(const Job& job, Session& session, RunRecord& record, Image& image) {
+  if (!job.stop.seconds) return;
+  if (job.stop.error) {
+    if (!record.complete) record.not_repeatable = "its time ended before its error was met";
+    return;
+  }
+  if (has_first_samples(session))
+    image.channels.push_back({camera_rays_channel, session.films().front().camera_samples});
+  else
+    record.not_repeatable = "its pixels have other samples than their first";
+}
+
 // Takes the samples and writes what they make; the exit code.
 int render_samples(const Job& job, PathTracer& tracer, CheckpointWriter& writer, RunRecord& record,
                    Stopwatch& watch, Stopwatch& whole) {
@@ -167,8 +194,8 @@ int render_samples(const Job& job, PathTracer& tracer, CheckpointWriter& writer,
   if (options.checkpoints.resume && fs::exists(writer.file(), code))
     session.resume(read_film_part(writer.file()), writer.file().string());
   session.part().layers = layer_names(record.plan);
-  session.part().aovs = options.aovs;
-  session.part().metadata = as_texts(record.metadata());
+  session.part().aovs = record.aovs;
+  session.part().metadata = as_texts(record, job.scene);
   watch.lap();
   record.seconds.before_first_ray = whole.elapsed();
 
@@ -181,8 +208,7 @@ int render_samples(const Job& job, PathTracer& tracer, CheckpointWriter& writer,
                                result.error_worst, result.share_done};
     record.complete = result.met();
   } else {
-    run_to_samples(session, session.share(job.shard.value_or(Share{})), job.stop.seconds.has_value(),
-                   control);
+    take_samples(job, session, control);
     if (job.stop.seconds) record.error = error_of(session.films());
   }
   FilmPart& part = session.part();
@@ -192,12 +218,13 @@ int render_samples(const Job& job, PathTracer& tracer, CheckpointWriter& writer,
 
   record_counts(job, tracer, part.counts, record);
   record.seconds.render = part.render_seconds;
-  part.metadata = as_texts(record.metadata());
+  part.metadata = as_texts(record, job.scene);
   writer.write(session);
   Image image;
   if (!job.shard) {
     image = adaptive ? adaptive->picture(part, result) : make_picture(part);
     if (record.plan.denoise) denoise_picture(record.plan, part.films, surface, image);
+    add_camera_rays(job, session, record, image);
     add_ssao(job.scene, job.mesh, options, record, image);
   }
   finish(options, job.output, image, watch, whole, record);
@@ -211,16 +238,33 @@ struct Loaded {
   std::optional<Bvh> bvh;
 };
 
+// Where a picture is the scene: what it was made of. With overrides its scene makes another picture.
+PictureOrigin origin_of(const RenderOptions& options) {
+  if (!is_picture(options.scene.scene)) return {};
+  PictureOrigin origin = origin_of_picture(options.scene.scene);
+  const TargetOptions& target = options.target;
+  origin.again = options.scene.given().empty() && !options.scene.size && options.scene.crop.empty() &&
+                 !target.error && !target.seconds && !target.confidence && !target.min_spp &&
+                 !target.max_spp && options.turntable == 0;
+  if (origin.again && !origin.why_not.empty())
+    throw Error(ExitCode::scene,
+                fmt::format("{}: cannot be made again: {}; --print-config prints its scene, --spp renders it",
+                            options.scene.scene.string(), origin.why_not));
+  return origin;
+}
+
 int render(const Scene& scene, const RenderOptions& options, Loaded& loaded) {
   const double start = Deadline::steady_seconds();
-  const AovRequest aovs = parse_aovs(options.aovs);
+  const PictureOrigin origin = origin_of(options);
+  const std::vector<std::string> aov_names = options.aovs.empty() ? origin.aovs : options.aovs;
+  const AovRequest aovs = parse_aovs(aov_names);
   const ProgressMode asked = parse_progress(options.progress);
   if (!options.stats.empty()) {
     keep_inputs(scene, options.stats);
     check_writable(options.stats);
   }
   const StopTarget stop = options.check(scene);
-  check_memory(scene, options.aovs.size(), stop.error ? largest_rule_bytes : 0);
+  check_memory(scene, aov_names.size(), stop.error ? largest_rule_bytes : 0);
   const bool only_screen_space = is_ssao_alone(scene);
   const std::optional<Share> shard = options.checkpoints.share();
   CheckpointWriter writer(options.checkpoints.file(options.scene.scene, options.output),
@@ -231,13 +275,16 @@ int render(const Scene& scene, const RenderOptions& options, Loaded& loaded) {
   check_writable(output);
   if (only_screen_space)
     return render_ssao(scene,
-                       {options.scene.scene, output, options.stats, aovs, options.frames.value_or(1),
-                        options.device.threads, options.png, options.quiet},
+                       {options.scene.scene, output, options.stats, aovs, aov_names, origin.mesh_hash,
+                        options.frames.value_or(1), options.device.threads, options.png, options.quiet},
                        loaded.mesh);
 
   Stopwatch whole, watch;
   RunRecord record;
   record.scene_file = options.scene.scene.string();
+  Scene resolved = scene;
+  resolved.stop = stop;
+  record_scene(resolved, aov_names, output, record);
   // Starting OpenCL takes longer than reading a small mesh, compiling about as long as building a tree.
   std::future<Device> opened;
   if (!loaded.device) options.device.prepare();
@@ -267,10 +314,23 @@ int render(const Scene& scene, const RenderOptions& options, Loaded& loaded) {
   record.kernels_from_cache = tracer.all_from_cache();
   record.scene_hash = scene_hash(scene);
   record.mesh_hash = mesh_hash(mesh);
+  check_mesh(scene, origin.mesh_hash, record.mesh_hash);
 
-  const Deadline deadline(stop.seconds ? std::optional(start + *stop.seconds) : std::nullopt);
+  // What is made again is known, and takes the time that it takes.
+  const bool timed = stop.seconds && !origin.again;
+  const Deadline deadline(timed ? std::optional(start + *stop.seconds) : std::nullopt);
   const ProgressMode progress = options.quiet ? ProgressMode::none : asked;
-  const Job job{options, scene, mesh, device, aovs, stop, deadline, output, progress, shard};
+  const Job job{options,
+                resolved,
+                mesh,
+                device,
+                aovs,
+                stop,
+                deadline,
+                output,
+                progress,
+                shard,
+                origin.again ? origin.camera_rays : std::vector<std::uint32_t>()};
   int code = 0;
   if (options.target.dry_run)
     print_forecast(tracer, record.plan, stop);

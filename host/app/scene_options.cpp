@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "app/key_flags.hpp"
+#include "app/picture_scene.hpp"
 #include "base/error.hpp"
 #include "base/threads.hpp"
 #include "device/pocl_folder.hpp"
@@ -61,7 +62,10 @@ void for_each_flag(Use use) {
 }  // namespace
 
 void SceneOptions::add_to(CLI::App& command) {
-  command.add_option("scene", scene, "Scene file (TOML), or a bare mesh: .obj, .ply, .stl, each also .gz")
+  command
+      .add_option("scene", scene,
+                  "Scene file (TOML), a bare mesh (.obj, .ply, .stl, each also .gz), or an .exr picture: the "
+                  "scene that made it")
       ->required();
   for_each_flag([&](const KeyInfo& key) { add_key_flag(command, key, texts[std::string(key.flag)]); });
   command.add_option("--size", size, "Image size, e.g. 800x600")->envname("NOOK_SIZE");
@@ -107,7 +111,9 @@ void SceneOptions::apply(Effect& effect) const {
 
 Scene SceneOptions::load() const {
   if (is_unread_mesh(scene)) refuse_format(scene);
-  Scene loaded = is_mesh(scene) ? scene_of_mesh(scene) : load_scene(scene);
+  Scene loaded = is_picture(scene) ? scene_of_picture(scene)
+                 : is_mesh(scene)  ? scene_of_mesh(scene)
+                                   : load_scene(scene);
   for (const Key<Scene>& key : renderer_keys())
     if (has(std::string(key.info.flag)))
       key.field.set(loaded, *parse_value(texts.at(std::string(key.info.flag)), key.info.domain));

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdlib>
 
+#include "app/picture_scene.hpp"
 #include "app/scene_options.hpp"
 #include "app/ssao_draw.hpp"
 #include "base/libraries.hpp"
@@ -42,6 +43,8 @@ int render_ssao(const Scene& scene, const SsaoRun& run, std::optional<TriangleMe
   record.triangles = mesh.triangles.size();
   record.scene_hash = scene_hash(scene);
   record.mesh_hash = mesh_hash(mesh);
+  check_mesh(scene, run.made_of, record.mesh_hash);
+  record_scene(scene, run.aov_names, run.output, record);
 
   const Clock::time_point drawing = Clock::now();
   Image image;

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "mesh/triangle_mesh.hpp"
 #include "render/picture.hpp"
@@ -12,6 +14,8 @@ namespace nook {
 struct SsaoRun {
   std::filesystem::path scene_file, output, stats;  ///< stats: empty for none
   AovRequest aovs;
+  std::vector<std::string> aov_names;
+  std::string made_of;   ///< the hash of the mesh of a picture that is made again; empty: of any
   unsigned frames = 1;   ///< drawn, for timing
   unsigned threads = 0;  ///< that draw; 0: all
   bool png = true, quiet = false;

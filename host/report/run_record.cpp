@@ -18,6 +18,8 @@ nlohmann::json json_of(const KeyValue& value) {
         using T = std::decay_t<decltype(v)>;
         if constexpr (std::is_same_v<T, std::monostate>)
           return {};
+        else if constexpr (std::is_same_v<T, float>)
+          return std::stod(fmt::format("{}", v));  // 0.01 and not 0.00999999977
         else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string> ||
                            std::is_same_v<T, std::vector<std::string>>)
           return v;
@@ -83,6 +85,10 @@ std::map<std::string, std::string> RunRecord::metadata() const {
   m["nook/build"] = build_description;
   m["nook/scene_file"] = scene_file;
   m["nook/scene_hash"] = scene_hash;
+  m["nook/scene"] = scene;
+  m["nook/folder"] = folder;
+  if (!aovs.empty()) m["nook/aovs"] = fmt::format("{}", fmt::join(aovs, ","));
+  if (!not_repeatable.empty()) m["nook/not_repeatable"] = not_repeatable;
   m["nook/mesh_hash"] = mesh_hash;
   m["nook/sampler"] = name_of(plan.sampler);
   m["nook/seed"] = std::to_string(plan.seed);

@@ -45,12 +45,10 @@ void read_renderer(TomlTable& renderer, Scene& scene) {
             fmt::format("min_spp is above max_spp, {}", stop.max_spp));
 }
 
-toml::table parse(const std::filesystem::path& path) {
-  constexpr std::uint64_t largest = 16u << 20;
-  if (size_of_input(path) > largest)
-    throw Error(ExitCode::scene, fmt::format("{}: too large for a scene file (over 16 MiB)", path.string()));
+template <class Parse>
+toml::table parsed(const std::filesystem::path& path, Parse parse) {
   try {
-    return toml::parse_file(path.string());
+    return parse();
   } catch (const toml::parse_error& e) {
     if (e.source().begin.line == 0)
       throw Error(ExitCode::scene, fmt::format("{}: {}", path.string(), e.description()));
@@ -58,10 +56,7 @@ toml::table parse(const std::filesystem::path& path) {
   }
 }
 
-}  // namespace
-
-Scene load_scene(const std::filesystem::path& path) {
-  const toml::table root = parse(path);
+Scene scene_of(const toml::table& root, const std::filesystem::path& path) {
   const std::string file = path.string();
   TomlTable top(file, "the scene", &root);
   auto table = [&](const char* key) {
@@ -83,6 +78,19 @@ Scene load_scene(const std::filesystem::path& path) {
   read_effects(file, top.find("effect"), renderer, scene);
   for (const TomlTable* each : {&top, &input, &camera, &film, &renderer, &ground}) each->finish();
   return scene;
+}
+
+}  // namespace
+
+Scene load_scene(const std::filesystem::path& path) {
+  constexpr std::uint64_t largest = 16u << 20;
+  if (size_of_input(path) > largest)
+    throw Error(ExitCode::scene, fmt::format("{}: too large for a scene file (over 16 MiB)", path.string()));
+  return scene_of(parsed(path, [&] { return toml::parse_file(path.string()); }), path);
+}
+
+Scene parse_scene(const std::string& text, const std::filesystem::path& file) {
+  return scene_of(parsed(file, [&] { return toml::parse(text); }), file);
 }
 
 Scene scene_of_mesh(const std::filesystem::path& mesh_file) {
