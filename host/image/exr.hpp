@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <string>
 
 #include "image/image.hpp"
 
@@ -21,5 +23,8 @@ void limit_exr_threads(unsigned threads);
 /// Reads every channel of a (single-part, scanline or tiled) OpenEXR file; HALF becomes float.
 /// Throws Error(scene) with one line, also when the header claims more pixels than the file can hold.
 Image read_exr(const std::filesystem::path& path);
+
+/// The text attributes of such a file, without its pixels. Throws Error(scene) with one line.
+std::map<std::string, std::string> read_exr_attributes(const std::filesystem::path& path);
 
 }  // namespace nook

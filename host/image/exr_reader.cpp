@@ -26,6 +26,14 @@ Imf::Header read_header(const std::filesystem::path& path, int version) {
   return header;
 }
 
+std::map<std::string, std::string> texts_of(const Imf::Header& header) {
+  std::map<std::string, std::string> texts;
+  for (auto i = header.begin(); i != header.end(); ++i)
+    if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&i.attribute()))
+      texts.emplace(i.name(), text->value());
+  return texts;
+}
+
 Image read_checked(const std::filesystem::path& path) {
   const int version = check_exr_layout(path);
   check_exr_size(path, read_header(path, version));
@@ -62,17 +70,15 @@ Image read_checked(const std::filesystem::path& path) {
   file.setFrameBuffer(frame);
   file.readPixels(window.min.y, window.max.y);
 
-  for (auto i = file.header().begin(); i != file.header().end(); ++i)
-    if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&i.attribute()))
-      image.metadata.emplace(i.name(), text->value());
+  image.metadata = texts_of(file.header());
   return image;
 }
 
-}  // namespace
-
-Image read_exr(const std::filesystem::path& path) {
+// Every failure as one line.
+template <class Read>
+auto reading(const std::filesystem::path& path, Read read) {
   try {
-    return read_checked(path);
+    return read();
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {
@@ -83,6 +89,16 @@ Image read_exr(const std::filesystem::path& path) {
     std::replace(reason.begin(), reason.end(), '\n', ' ');
     throw Error(ExitCode::scene, fmt::format("cannot read {}: {}", path.string(), reason));
   }
+}
+
+}  // namespace
+
+Image read_exr(const std::filesystem::path& path) {
+  return reading(path, [&] { return read_checked(path); });
+}
+
+std::map<std::string, std::string> read_exr_attributes(const std::filesystem::path& path) {
+  return reading(path, [&] { return texts_of(read_header(path, check_exr_layout(path))); });
 }
 
 }  // namespace nook

@@ -6,6 +6,7 @@
 
 namespace nook {
 
+using glm::dvec2;
 using glm::dvec3;
 using glm::uvec3;
 using glm::vec2;

@@ -118,6 +118,11 @@ std::uint32_t append_part(TriangleMesh& whole, const TriangleMesh& part, bool mi
                 [&](const auto& corners) { return oriented(shifted(corners, first_uv)); });
   whole.uvs.insert(whole.uvs.end(), part.uvs.begin(), part.uvs.end());
   whole.materials.insert(whole.materials.end(), part.materials.begin(), part.materials.end());
+  if (!whole.group_names.empty() || !part.group_names.empty()) {
+    whole.group_names.resize(whole.groups.size());
+    whole.group_names.insert(whole.group_names.end(), part.group_names.begin(), part.group_names.end());
+    whole.group_names.resize(whole.groups.size() + part.groups.size());
+  }
   whole.groups.insert(whole.groups.end(), part.groups.begin(), part.groups.end());
   TriangleMesh::Part made{std::uint32_t(before),
                           std::uint32_t(count),

@@ -3,164 +3,149 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
-#include <cerrno>
-#include <cmath>
-#include <cstring>
-#include <fstream>
-#include <limits>
 #include <map>
 
 #include "base/error.hpp"
-#include "base/input_file.hpp"
-#include "base/large_vector.hpp"
 #include "base/task_pool.hpp"
 #include "base/threads.hpp"
+#include "mesh/mesh_text.hpp"
 #include "mesh/obj_materials.hpp"
 #include "mesh/obj_piece.hpp"
-#include "mesh/obj_triangles.hpp"
+#include "mesh/triangulate.hpp"
 
 namespace nook {
 namespace {
 
-LargeVector<char> read_text(const std::filesystem::path& path) {
-  LargeVector<char> text(size_of_input(path));
-  std::ifstream in(path, std::ios::binary);
-  if (!in || !in.read(text.data(), std::streamsize(text.size())))
-    throw Error(ExitCode::scene, fmt::format("{}: cannot be read ({})", path.string(), std::strerror(errno)));
-  return text;
-}
+using Change = ObjPiece::Change;
 
-// Unit normals of places [begin, end); those that cannot be normalised become 0, which corners do not refer
-// to. Returns how many had another length.
-std::uint64_t normalise(std::vector<vec3>& normals, std::size_t begin, std::size_t end) {
-  std::uint64_t changed = 0;
-  for (std::size_t i = begin; i < end; ++i) {
-    vec3& n = normals[i];
-    const double length = glm::length(dvec3(n));
-    const bool usable = std::isfinite(length) && length > 1e-30;
-    changed += usable && std::abs(length - 1) > 1e-3;
-    n = usable ? vec3(dvec3(n) / length) : vec3(0);
-  }
-  return changed;
-}
-
-// Scans all pieces, says what stands before each, and returns what the whole text holds.
-ObjCounts scan_pieces(TaskPool& pool, std::vector<ObjPiece>& pieces) {
+// Counts all pieces, says what stands before each, and returns what the whole text holds.
+ObjCounts count_pieces(TaskPool& pool, std::vector<ObjPiece>& pieces) {
   pool.for_ranges(pieces.size(), 1,
-                  [&](std::size_t i, std::size_t) { pieces[i].scan = scan_obj(pieces[i].text); });
+                  [&](std::size_t i, std::size_t) { pieces[i].counts = count_obj(pieces[i].text); });
   ObjCounts all;
   for (ObjPiece& piece : pieces) {
     piece.before = all;
-    all.positions += piece.scan.counts.positions;
-    all.uvs += piece.scan.counts.uvs;
-    all.normals += piece.scan.counts.normals;
+    all.lines += piece.counts.lines;
+    all.positions += piece.counts.positions;
+    all.uvs += piece.counts.uvs;
+    all.normals += piece.counts.normals;
   }
   return all;
 }
 
-// What the pieces' faces belong to. A group may be continued: its name is what makes it one; it counts from
-// its first face on. A material's library may stand anywhere in the file.
-std::vector<std::vector<FaceRun>> face_runs(const std::vector<ObjPiece>& pieces,
-                                            const ObjMaterials& materials, std::vector<std::string>& groups) {
-  std::map<std::string, std::uint32_t> group_of_name;
-  std::string group;
+ObjMaterials load_materials(const std::filesystem::path& path, const std::vector<ObjPiece>& pieces,
+                            const MeshAttributes& want) {
+  std::vector<ObjLibrary> libraries;
+  for (const ObjPiece& piece : pieces)
+    for (const Change& change : piece.changes)
+      if (change.kind == Change::Kind::library) libraries.push_back({change.text, change.line});
+  return load_obj_materials(path, libraries, want);
+}
+
+// The groups of a file by their names. One may be continued: its name is what makes it one; it counts from
+// its first face on.
+class Groups {
+ public:
+  explicit Groups(PolygonMesh& mesh) : mesh_(mesh) {}
+
+  void change_to(const Change& change) {
+    names_.clear();
+    name_ = change.kind == Change::Kind::object ? change.text : "";
+    if (change.kind == Change::Kind::object) return;
+    std::string_view words = change.text;
+    for (std::string_view word = next_word(words); !word.empty(); word = next_word(words))
+      names_.emplace_back(word);
+    name_ = fmt::format("{}", fmt::join(names_, " "));
+    if (names_.size() == 1) names_.clear();
+  }
+
+  std::uint32_t current() {
+    const auto [place, fresh] = index_of_.try_emplace(name_, std::uint32_t(mesh_.groups.size()));
+    if (fresh) mesh_.groups.push_back(name_);
+    if (!names_.empty()) {
+      mesh_.group_names.resize(mesh_.groups.size());
+      mesh_.group_names[place->second] = names_;
+    }
+    return place->second;
+  }
+
+ private:
+  PolygonMesh& mesh_;
+  std::map<std::string, std::uint32_t> index_of_;
+  std::string name_;
+  std::vector<std::string> names_;  // of several
+};
+
+// What the pieces' faces belong to, from the changes in all of them. A material's library may stand anywhere
+// in the file.
+void add_runs(std::vector<ObjPiece>& pieces, ObjMaterials& materials, PolygonMesh& mesh) {
+  Groups groups(mesh);
   std::uint32_t material = TriangleMesh::no_material;
-  std::vector<std::vector<FaceRun>> runs(pieces.size());
-  for (std::size_t p = 0; p < pieces.size(); ++p) {
+  for (ObjPiece& piece : pieces) {
     std::size_t begin = 0;
     const auto run_to = [&](std::size_t end) {
       if (end == begin) return;
-      const auto [place, fresh] = group_of_name.try_emplace(group, std::uint32_t(groups.size()));
-      if (fresh) groups.push_back(group);
-      runs[p].push_back({begin, place->second, material});
+      piece.block.runs.push_back({begin, groups.current(), material});
       begin = end;
     };
-    for (const ObjPiece::Change& change : pieces[p].changes) {
+    for (const Change& change : piece.changes) {
+      if (change.kind == Change::Kind::library) continue;
       run_to(change.face);
-      if (change.material)
-        material = materials.find(change.name);
-      else
-        group = change.name;
+      if (change.kind != Change::Kind::material)
+        groups.change_to(change);
+      else if (!change.text.empty())
+        material = materials.find(change.text, change.line);
     }
-    run_to(pieces[p].face_sizes.size());
+    run_to(piece.block.face_sizes.size());
   }
-  return runs;
+  if (!mesh.group_names.empty()) mesh.group_names.resize(mesh.groups.size());
+}
+
+void warn_of_odd_uvs(const std::vector<ObjPiece>& pieces, PolygonMesh& mesh) {
+  std::size_t line = 0, count = 0;
+  for (const ObjPiece& piece : pieces) {
+    if (count == 0) line = piece.odd_uv_line;
+    count += piece.odd_uvs;
+  }
+  if (count > 0)
+    mesh.warnings.push_back(
+        fmt::format("{}:{}: {} that {} not finite: corners with {} have none", mesh.name, line,
+                    count == 1 ? "texture coordinates" : fmt::format("{} texture coordinates", count), "are",
+                    count == 1 ? "it" : "them"));
 }
 
 }  // namespace
 
 TriangleMesh load_obj(const std::filesystem::path& path, const MeshAttributes& want,
                       std::size_t piece_bytes) {
-  const std::string name = path.string();
-  LargeVector<char> bytes = read_text(path);
-  const std::string_view text(bytes.data(), bytes.size());
+  PolygonMesh mesh;
+  mesh.name = path.string();
+  LargeVector<char> bytes = read_mesh_file(path);
+  const std::string_view text = without_byte_order_mark({bytes.data(), bytes.size()}, path);
   std::vector<ObjPiece> pieces;
   for (const std::string_view piece : obj_pieces(text, piece_bytes)) pieces.emplace_back().text = piece;
   TaskPool pool(unsigned(std::min<std::size_t>(threads_to_use(), std::max<std::size_t>(pieces.size(), 1))));
 
-  const ObjCounts all = scan_pieces(pool, pieces);
-  TriangleMesh mesh;
+  const ObjCounts all = count_pieces(pool, pieces);
   mesh.positions.resize(all.positions);
   mesh.normals.resize(want.normals ? all.normals : 0);
   mesh.uvs.resize(want.uvs ? all.uvs : 0);
-  std::atomic<bool> good =
-      std::all_of(pieces.begin(), pieces.end(), [](const ObjPiece& p) { return p.scan.readable; });
-  std::atomic<std::uint64_t> normalised = 0;
-  if (good)
-    pool.for_ranges(pieces.size(), 1, [&](std::size_t i, std::size_t) {
-      ObjPiece& piece = pieces[i];
-      if (!read_obj_piece(piece, all, mesh)) good = false;
-      if (want.normals)
-        normalised +=
-            normalise(mesh.normals, piece.before.normals, piece.before.normals + piece.scan.counts.normals);
-    });
-  if (!good) {
-    const std::string fault = first_obj_fault(text, name);
-    throw Error(ExitCode::scene, fault.empty() ? name + ": a face cannot be read" : fault);
-  }
-  mesh.report.normals_normalised = normalised;
+  pool.for_ranges(pieces.size(), 1,
+                  [&](std::size_t i, std::size_t) { read_obj_piece(pieces[i], all, want, mesh); });
+  for (const ObjPiece& piece : pieces)
+    if (!piece.fault.empty()) throw Error(ExitCode::scene, fmt::format("{}:{}", mesh.name, piece.fault));
   LargeVector<char>().swap(bytes);
 
-  std::vector<std::string> libraries;
-  if (want.materials)
-    for (const ObjPiece& piece : pieces)
-      libraries.insert(libraries.end(), piece.scan.libraries.begin(), piece.scan.libraries.end());
-  ObjMaterials materials = load_obj_materials(path.parent_path(), libraries);
-  std::vector<std::string> groups;
-  const std::vector<std::vector<FaceRun>> runs = face_runs(pieces, materials, groups);
-  mesh.materials = std::move(materials.materials);
-  if (want.groups) mesh.groups = std::move(groups);
-
-  std::vector<TriangleMesh> parts(pieces.size());
-  pool.for_ranges(pieces.size(), 1, [&](std::size_t i, std::size_t) {
-    parts[i] = obj_triangles(pieces[i], runs[i], mesh, want);
-    std::vector<ObjCorner>().swap(pieces[i].corners);
-  });
-  for (const ObjPiece& piece : pieces)
-    for (const std::uint32_t i : piece.scan.non_finite_positions)
-      mesh.positions[piece.before.positions + i].x = std::numeric_limits<float>::quiet_NaN();
-  pool.for_ranges(parts.size(), 1,
-                  [&](std::size_t i, std::size_t) { finish_triangles(parts[i], mesh.positions); });
-  join_triangles(mesh, parts);
-
-  if (mesh.report.normals_replaced == 3 * mesh.triangles.size()) {
-    mesh.normals.clear();
-    mesh.triangle_normals.clear();
-    mesh.report.normals_replaced = 0;
+  ObjMaterials materials;
+  if (want.materials) materials = load_materials(path, pieces, want);
+  add_runs(pieces, materials, mesh);
+  if (want.materials) {
+    for (std::string& warning : materials.warnings()) mesh.warnings.push_back(std::move(warning));
+    mesh.materials = std::move(materials.materials);
   }
-  const auto no_uv = [](const auto& corners) {
-    return std::all_of(corners.begin(), corners.end(),
-                       [](std::uint32_t i) { return i == TriangleMesh::no_uv; });
-  };
-  if (std::all_of(mesh.triangle_uvs.begin(), mesh.triangle_uvs.end(), no_uv)) mesh.triangle_uvs.clear();
-  if (mesh.triangles.empty())
-    throw Error(ExitCode::scene,
-                mesh.report.non_finite_dropped
-                    ? fmt::format("{}: no triangle is left ({} have NaN or infinite vertices)", name,
-                                  mesh.report.non_finite_dropped)
-                    : fmt::format("{}: the mesh has no triangles", name));
-  return mesh;
+  warn_of_odd_uvs(pieces, mesh);
+  for (ObjPiece& piece : pieces) mesh.blocks.push_back(std::move(piece.block));
+  return triangulated(std::move(mesh), want);
 }
 
 }  // namespace nook

@@ -1,77 +1,88 @@
 #include "mesh/obj_materials.hpp"
 
-#include <tiny_obj_loader.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
-#include <set>
-#include <sstream>
-#include <string_view>
 
-#include "mesh/mtl_scan.hpp"
+#include "base/error.hpp"
+#include "mesh/mtl_file.hpp"
+#include "mesh/obj_text.hpp"
 
 namespace nook {
 namespace {
 
-// Blanks in a name may be escaped.
-std::string unescaped(const std::string& name) {
-  std::string plain;
-  for (std::size_t i = 0; i < name.size(); ++i)
-    if (name[i] != '\\' || i + 1 == name.size() || name[i + 1] != ' ') plain += name[i];
-  return plain;
+std::vector<std::filesystem::path> library_files(const std::filesystem::path& folder,
+                                                 const std::string& names, bool& all_there) {
+  std::vector<std::filesystem::path> files;
+  all_there = true;
+  if (const std::filesystem::path whole = find_beside(folder, names); !whole.empty()) return {whole};
+  std::string_view words = names;
+  for (std::string_view word = next_word(words); !word.empty(); word = next_word(words)) {
+    const std::filesystem::path file = find_beside(folder, std::string(word));
+    if (!file.empty()) files.push_back(file);
+    all_there = all_there && !file.empty();
+  }
+  return files;
 }
 
-std::vector<std::filesystem::path> library_files(const std::filesystem::path& folder, std::string line) {
-  const std::size_t begin = line.find_first_not_of(" \t");
-  if (begin == std::string::npos) return {};
-  line = line.substr(begin, line.find_last_not_of(" \t") + 1 - begin);
-  std::vector<std::filesystem::path> files;
-  const auto add = [&](const std::string& name) {
-    std::error_code code;
-    if (std::filesystem::is_regular_file(folder / name, code)) files.push_back(folder / name);
-  };
-  add(line);
-  if (files.empty()) add(unescaped(line));
-  if (!files.empty()) return files;
-  std::istringstream words(line);
-  for (std::string word; words >> word;) add(word);
-  return files;
+// "a" of "a # red".
+std::string before_comment(const std::string& name) {
+  std::size_t hash = name.find('#');
+  while (hash != std::string::npos && (hash == 0 || !is_blank(name[hash - 1])))
+    hash = name.find('#', hash + 1);
+  return hash == std::string::npos ? name : std::string(trimmed(std::string_view(name).substr(0, hash)));
 }
 
 }  // namespace
 
-std::uint32_t ObjMaterials::find(const std::string& name) const {
-  const auto found = index_of_name.find(name);
-  return found == index_of_name.end() ? TriangleMesh::no_material : std::uint32_t(found->second);
+std::uint32_t ObjMaterials::find(const std::string& name, std::size_t line) {
+  auto found = index_of_.find(name);
+  if (found == index_of_.end()) found = index_of_.find(before_comment(name));
+  if (found == index_of_.end()) {
+    const bool known = std::any_of(missing_materials_.begin(), missing_materials_.end(),
+                                   [&](const ObjLibrary& m) { return m.names == name; });
+    if (!known) missing_materials_.push_back({name, line});
+    return TriangleMesh::no_material;
+  }
+  const auto fault = faults_.find(found->second);
+  if (reads_exponents_ && fault != faults_.end()) throw Error(ExitCode::scene, fault->second);
+  return found->second;
 }
 
-ObjMaterials load_obj_materials(const std::filesystem::path& folder, const std::vector<std::string>& lines) {
+std::vector<std::string> ObjMaterials::warnings() const {
+  const auto line = [&](const std::vector<ObjLibrary>& missing, const char* what) {
+    std::string text =
+        fmt::format("{}:{}: {} '{}'", file_, missing[0].line, what, missing[0].names.substr(0, 80));
+    return missing.size() > 1 ? text + fmt::format(" (nor {} more)", missing.size() - 1) : text;
+  };
+  if (!reads_any_) return {};
+  if (!missing_libraries_.empty()) return {line(missing_libraries_, "there is no material library")};
+  if (!missing_materials_.empty()) return {line(missing_materials_, "no library has the material")};
+  return {};
+}
+
+ObjMaterials load_obj_materials(const std::filesystem::path& obj, const std::vector<ObjLibrary>& libraries,
+                                const MeshAttributes& want) {
   ObjMaterials result;
-  std::vector<tinyobj::material_t> materials;
+  result.file_ = obj.string();
+  result.reads_exponents_ = want.exponents;
+  result.reads_any_ = want.exponents || want.uvs;
   std::vector<std::filesystem::path> files;
-  std::set<std::string> seen;
-  for (const std::string& line : lines) {
-    if (!seen.insert(line).second) continue;
-    for (const std::filesystem::path& file : library_files(folder, line))
+  for (const ObjLibrary& library : libraries) {
+    bool all_there = true;
+    for (const std::filesystem::path& file : library_files(obj.parent_path(), library.names, all_there))
       if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+    if (!all_there) result.missing_libraries_.push_back(library);
   }
-  for (const std::filesystem::path& path : files) {
-    std::ifstream in(path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(in), {}};
-    const std::set<std::string> with_lobe = materials_with_lobe(text, path.string());
-    std::istringstream again(text);
-    std::string warnings, errors;
-    tinyobj::LoadMtl(&result.index_of_name, &materials, &again, &warnings, &errors);
-    for (std::size_t m = result.materials.size(); m < materials.size(); ++m) {
-      std::string texture = materials[m].alpha_texname;
-      std::replace(texture.begin(), texture.end(), '\\', '/');
-      if (!texture.empty()) texture = (path.parent_path() / texture).string();
-      const std::string& material = materials[m].name;
-      result.materials.push_back(
-          {material, with_lobe.contains(material) ? materials[m].shininess : -1.0f, texture});
+  for (const std::filesystem::path& file : files)
+    for (MtlMaterial& read : read_mtl(file)) {
+      const std::uint32_t index = std::uint32_t(result.materials.size());
+      const std::string& name = read.material.name;
+      result.index_of_.try_emplace(name, index);
+      result.index_of_.try_emplace(before_comment(name), index);
+      if (!read.fault.empty()) result.faults_[index] = read.fault;
+      result.materials.push_back(std::move(read.material));
     }
-  }
   return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -10,18 +11,40 @@
 
 namespace nook {
 
-/// The materials of an OBJ file's libraries.
-struct ObjMaterials {
-  std::vector<Material> materials;
-  std::map<std::string, int> index_of_name;  ///< into `materials`: of several by a name, the first
-
-  /// TriangleMesh::no_material if there is none.
-  std::uint32_t find(const std::string& name) const;
+/// What follows `mtllib` in a line.
+struct ObjLibrary {
+  std::string names;
+  std::size_t line;
 };
 
-/// Reads the MTL files of `folder` that lines of "mtllib" name, each file once: that of the whole line (names
-/// may have blanks in them), or else those of its words. A name that is no regular file is left unread.
-/// Throws Error(scene) for an Ns that is none (mtl_scan.hpp).
-ObjMaterials load_obj_materials(const std::filesystem::path& folder, const std::vector<std::string>& lines);
+/// The materials of an OBJ file's libraries, and what is wrong with them.
+class ObjMaterials {
+ public:
+  std::vector<Material> materials;
+
+  /// The material that `usemtl` names in a line: of several by a name the first; TriangleMesh::no_material if
+  /// there is none.
+  std::uint32_t find(const std::string& name, std::size_t line);
+
+  /// A line for the first library that is missing, or else for the first material that is in none.
+  std::vector<std::string> warnings() const;
+
+ private:
+  friend ObjMaterials load_obj_materials(const std::filesystem::path& obj,
+                                         const std::vector<ObjLibrary>& libraries,
+                                         const MeshAttributes& want);
+
+  std::string file_;  // the OBJ's
+  bool reads_exponents_ = false, reads_any_ = false;
+  std::map<std::string, std::uint32_t> index_of_;
+  std::map<std::uint32_t, std::string> faults_;  // of a material: an exponent that cannot be read
+  std::vector<ObjLibrary> missing_libraries_;
+  std::vector<ObjLibrary> missing_materials_;  // each name once
+};
+
+/// Reads the MTL files that an OBJ file's lines of "mtllib" name, each file once: that of the whole line
+/// (names may have blanks in them), or else those of its words; where each is looked for, find_beside() says.
+ObjMaterials load_obj_materials(const std::filesystem::path& obj, const std::vector<ObjLibrary>& libraries,
+                                const MeshAttributes& want);
 
 }  // namespace nook

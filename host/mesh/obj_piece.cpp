@@ -1,130 +1,178 @@
 #include "mesh/obj_piece.hpp"
 
-#include <tiny_obj_loader.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <istream>
-#include <limits>
-#include <streambuf>
+#include <charconv>
+#include <cmath>
+
+#include "mesh/number_text.hpp"
 
 namespace nook {
 namespace {
 
-// A stream over memory, without copying it; nothing is put back into it.
-struct MemoryBuffer : std::streambuf {
-  explicit MemoryBuffer(std::string_view text) {
-    char* begin = const_cast<char*>(text.data());
-    setg(begin, begin, begin + text.size());
-  }
-};
-
-struct Reader {
-  ObjPiece& piece;
-  TriangleMesh& mesh;
-  const ObjCounts& all;
-  ObjCounts so_far;  // in the whole text
-  bool good = true;
-
-  static Reader& of(void* self) { return *static_cast<Reader*>(self); }
-
-  // Elements beyond those that the scan counted would be another piece's.
-  template <class T>
-  void element(std::vector<T>& values, std::size_t ObjCounts::*kind, const T& value) {
-    if (so_far.*kind == piece.before.*kind + piece.scan.counts.*kind) {
-      good = false;
-      return;
-    }
-    if (!values.empty()) values[so_far.*kind] = value;
-    ++(so_far.*kind);
-  }
-
-  // From what a file says, 1-based or, if negative, back from the last one above, to 0-based or, for 0, -1.
-  int resolved(int index, std::size_t ObjCounts::*kind) {
-    if (index == 0) return -1;
-    const std::int64_t at = index > 0 ? index - 1 : std::int64_t(so_far.*kind) + index;
-    good = good && at >= 0 && at < std::int64_t(all.*kind);
-    return int(at);
-  }
-
-  void face(const tinyobj::index_t* corners, int count) {
-    // A comment behind a face reads as corners whose position is 0, which the scan has found in no corner.
-    int size = 0;
-    while (size < count && corners[size].vertex_index != 0) ++size;
-    const bool kept = size >= 3;
-    for (int k = 0; k < size; ++k) {
-      const ObjCorner corner = {resolved(corners[k].vertex_index, &ObjCounts::positions),
-                                resolved(corners[k].texcoord_index, &ObjCounts::uvs),
-                                resolved(corners[k].normal_index, &ObjCounts::normals)};
-      if (kept) piece.corners.push_back(corner);
-    }
-    if (kept) piece.face_sizes.push_back(std::uint32_t(size));
-  }
-
-  void change(bool material, std::string name) {
-    piece.changes.push_back({piece.face_sizes.size(), material, std::move(name)});
-  }
-};
-
-// Several names of a group are one, with blanks.
-std::string joined(const char** names, int count) {
-  std::string all;
+// Reads `count` numbers; "" or what is wrong. More may follow: weights, colors.
+std::string read_numbers(std::string_view text, double* values, int count, int fewest) {
   for (int i = 0; i < count; ++i) {
-    if (i) all += ' ';
-    all += names[i];
+    const std::string_view word = next_word(text);
+    if (word.empty()) {
+      if (i >= fewest) return "";
+      return fmt::format("{} numbers, expected {}", i, fewest);
+    }
+    if (!read_number(word, values[i])) return fmt::format("'{}' is not a number", word.substr(0, 40));
   }
-  return all;
+  return "";
 }
 
-std::string first_word(std::string_view text) {
-  const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
-  return std::string(text.substr(begin, text.find_first_of(" \t\r", begin) - begin));
+// The 0-based index that `digits` stand for: 1-based or, if negative, back from the last one above. "" or
+// what is wrong.
+std::string read_index(std::string_view digits, std::size_t above, std::size_t all, const char* kind,
+                       std::uint32_t& index) {
+  const std::string_view shown = digits.substr(0, 40);
+  if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
+  std::int64_t value = 0;
+  const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (code == std::errc::invalid_argument || end != digits.data() + digits.size())
+    return fmt::format("face index '{}' is not an integer", shown);
+  const bool back = value < 0, beyond = code == std::errc::result_out_of_range;
+  const std::size_t limit = back ? above : all;
+  if (value == 0 || beyond || std::size_t(back ? -value : value) > limit)
+    return fmt::format("face index {} is out of range ({} {}{})", shown, limit, kind, back ? " so far" : "");
+  index = std::uint32_t(back ? above - std::size_t(-value) : std::size_t(value) - 1);
+  return "";
 }
 
-tinyobj::callback_t callbacks() {
-  using tinyobj::real_t;
-  tinyobj::callback_t call;
-  call.vertex_cb = [](void* self, real_t x, real_t y, real_t z, real_t) {
-    Reader& reader = Reader::of(self);
-    reader.element(reader.mesh.positions, &ObjCounts::positions, vec3(x, y, z));
-  };
-  call.normal_cb = [](void* self, real_t x, real_t y, real_t z) {
-    Reader& reader = Reader::of(self);
-    reader.element(reader.mesh.normals, &ObjCounts::normals, vec3(x, y, z));
-  };
-  call.texcoord_cb = [](void* self, real_t u, real_t v, real_t) {
-    Reader& reader = Reader::of(self);
-    reader.element(reader.mesh.uvs, &ObjCounts::uvs, vec2(u, v));
-  };
-  call.index_cb = [](void* self, tinyobj::index_t* corners, int count) {
-    Reader::of(self).face(corners, count);
-  };
-  // A `usemtl` without a name, which tinyobjloader does not report, changes nothing.
-  call.usemtl_cb = [](void* self, const char* name, int) { Reader::of(self).change(true, first_word(name)); };
-  call.group_cb = [](void* self, const char** names, int count) {
-    Reader::of(self).change(false, joined(names, count));
-  };
-  call.object_cb = [](void* self, const char* name) { Reader::of(self).change(false, name); };
-  return call;
-}
+class Reader {
+ public:
+  Reader(ObjPiece& piece, const ObjCounts& all, const MeshAttributes& want, PolygonMesh& mesh)
+      : piece_(piece), all_(all), want_(want), mesh_(mesh), so_far_(piece.before) {}
+
+  // "" or what is wrong with the statement.
+  std::string read(std::string_view statement, std::size_t line) {
+    std::string_view rest;
+    double v[3] = {};
+    std::string fault;
+    switch (obj_keyword(statement, rest)) {
+      case ObjKeyword::position:
+        fault = read_numbers(rest, v, 3, 3);
+        mesh_.positions[so_far_.positions++] = dvec3(v[0], v[1], v[2]);
+        return fault;
+      case ObjKeyword::normal:
+        return normal(rest);
+      case ObjKeyword::uv:
+        return uv(rest, line);
+      case ObjKeyword::face:
+        return face(rest, line);
+      case ObjKeyword::group:
+        change(ObjPiece::Change::Kind::group, rest, line);
+        return "";
+      case ObjKeyword::object:
+        change(ObjPiece::Change::Kind::object, rest, line);
+        return "";
+      case ObjKeyword::material:
+        change(ObjPiece::Change::Kind::material, rest, line);
+        return "";
+      case ObjKeyword::library:
+        change(ObjPiece::Change::Kind::library, rest, line);
+        return "";
+      case ObjKeyword::other:
+        return "";
+    }
+    return "";
+  }
+
+ private:
+  void change(ObjPiece::Change::Kind kind, std::string_view rest, std::size_t line) {
+    piece_.changes.push_back(
+        {kind, piece_.block.face_sizes.size(), piece_.before.lines + line, std::string(trimmed(rest))});
+  }
+
+  // Normals and texture coordinates that nothing reads stop nothing.
+  std::string normal(std::string_view rest) {
+    const std::size_t index = so_far_.normals++;
+    if (!want_.normals) return "";
+    double v[3] = {};
+    const std::string fault = read_numbers(rest, v, 3, 3);
+    mesh_.normals[index] = vec3(v[0], v[1], v[2]);
+    return fault;
+  }
+
+  std::string uv(std::string_view rest, std::size_t line) {
+    const std::size_t index = so_far_.uvs++;
+    if (!want_.uvs) return "";
+    double v[2] = {};
+    const std::string fault = read_numbers(rest, v, 2, 1);
+    mesh_.uvs[index] = vec2(v[0], v[1]);
+    if (!std::isfinite(mesh_.uvs[index].x) || !std::isfinite(mesh_.uvs[index].y))
+      if (piece_.odd_uvs++ == 0) piece_.odd_uv_line = piece_.before.lines + line;
+    return fault;
+  }
+
+  // "7", "7/2", "7/2/7", "7//7"; and "7/", "7//", "7/2/", as some programs write what is left out.
+  std::string corner(std::string_view word) {
+    std::uint32_t index[3] = {FaceBlock::none, FaceBlock::none, FaceBlock::none};
+    const std::size_t above[3] = {so_far_.positions, so_far_.uvs, so_far_.normals};
+    const std::size_t limits[3] = {all_.positions, all_.uvs, all_.normals};
+    static constexpr const char* kinds[3] = {"positions", "texture coordinates", "normals"};
+    std::string_view left = word;
+    if (std::count(word.begin(), word.end(), '/') > 2)
+      return fmt::format("a face's corner '{}' has more than three indices", word.substr(0, 40));
+    for (std::size_t part = 0;; ++part) {
+      const std::size_t slash = std::min(left.find('/'), left.size());
+      const std::string_view digits = left.substr(0, slash);
+      if (part == 0 || !digits.empty())
+        if (std::string fault = read_index(digits, above[part], limits[part], kinds[part], index[part]);
+            !fault.empty())
+          return fault;
+      if (slash == left.size()) break;
+      left.remove_prefix(slash + 1);
+    }
+    FaceBlock& block = piece_.block;
+    block.positions.push_back(index[0]);
+    if (want_.uvs) block.uvs.push_back(index[1]);
+    if (want_.normals) block.normals.push_back(index[2]);
+    return "";
+  }
+
+  std::string face(std::string_view rest, std::size_t line) {
+    FaceBlock& block = piece_.block;
+    const std::size_t first = block.positions.size();
+    for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest))
+      if (std::string fault = corner(word); !fault.empty()) return fault;
+    const std::size_t size = block.positions.size() - first;
+    if (size < 3) {
+      block.positions.resize(first);
+      if (want_.uvs) block.uvs.resize(first);
+      if (want_.normals) block.normals.resize(first);
+      return "";
+    }
+    block.face_sizes.push_back(std::uint32_t(size));
+    if (size > 3) block.places.push_back(std::uint32_t(piece_.before.lines + line));
+    return "";
+  }
+
+  ObjPiece& piece_;
+  const ObjCounts& all_;
+  const MeshAttributes& want_;
+  PolygonMesh& mesh_;
+  ObjCounts so_far_;  // in the whole text
+};
 
 }  // namespace
 
-bool read_obj_piece(ObjPiece& piece, const ObjCounts& all, TriangleMesh& mesh) {
-  piece.corners.reserve(3 * piece.scan.counts.faces);
-  piece.face_sizes.reserve(piece.scan.counts.faces);
-  Reader reader{piece, mesh, all, piece.before};
-  MemoryBuffer buffer(piece.text);
-  std::istream in(&buffer);
-  std::string warnings, errors;
-  const bool parsed = tinyobj::LoadObjWithCallback(in, callbacks(), &reader, nullptr, &warnings, &errors);
-  const auto all_read = [&](std::size_t ObjCounts::*kind) {
-    return reader.so_far.*kind == piece.before.*kind + piece.scan.counts.*kind;
-  };
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  if (!mesh.normals.empty())
-    for (std::uint32_t i : piece.scan.non_finite_normals) mesh.normals[piece.before.normals + i].x = nan;
-  return parsed && reader.good && all_read(&ObjCounts::positions) && all_read(&ObjCounts::uvs) &&
-         all_read(&ObjCounts::normals);
+void read_obj_piece(ObjPiece& piece, const ObjCounts& all, const MeshAttributes& want, PolygonMesh& mesh) {
+  FaceBlock& block = piece.block;
+  block.positions.reserve(3 * piece.counts.faces);
+  if (want.uvs) block.uvs.reserve(3 * piece.counts.faces);
+  if (want.normals) block.normals.reserve(3 * piece.counts.faces);
+  block.face_sizes.reserve(piece.counts.faces);
+  Reader reader(piece, all, want, mesh);
+  for_each_statement(piece.text, [&](std::string_view statement, std::size_t line) {
+    const std::string fault = reader.read(statement, line);
+    if (fault.empty()) return true;
+    piece.fault = fmt::format("{}: {}", piece.before.lines + line, fault);
+    return false;
+  });
 }
 
 }  // namespace nook

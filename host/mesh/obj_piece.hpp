@@ -5,40 +5,35 @@
 #include <string_view>
 #include <vector>
 
-#include "mesh/obj_scan.hpp"
-#include "mesh/triangle_mesh.hpp"
+#include "mesh/obj_text.hpp"
+#include "mesh/polygon_mesh.hpp"
 
 namespace nook {
 
-/// A face's corner: 0-based indices over the whole text, -1 for what it has not.
-struct ObjCorner {
-  std::int32_t position = -1, uv = -1, normal = -1;
-};
-
-/// One piece of an OBJ text (obj_pieces), and what tinyobjloader reads in it. Pieces are read at the same
-/// time: where a piece's elements begin is known from scans of all of them.
+/// One piece of an OBJ text (obj_pieces). Pieces are read at the same time: where a piece's elements begin is
+/// known from counts of all of them.
 struct ObjPiece {
-  std::string_view text;  ///< not the piece's own
-  ObjScan scan;
-  ObjCounts before;  ///< of the pieces above it
+  std::string_view text;     ///< not the piece's own
+  ObjCounts counts, before;  ///< of the piece, and of the pieces above it
 
-  /// One face's behind the other's. Faces of fewer than three corners are left out.
-  std::vector<ObjCorner> corners;
-  std::vector<std::uint32_t> face_sizes;  ///< corners of each face
+  FaceBlock block;  ///< its faces, of three corners and more; runs are not known yet
 
-  /// A line that says what the faces from `face` on belong to.
+  /// A line that is no element: what the faces from `face` on belong to, or where materials are.
   struct Change {
-    std::size_t face = 0;   ///< index into face_sizes
-    bool material = false;  ///< `name` is a material's; else a group's or object's
-    std::string name;
+    enum class Kind { group, object, material, library } kind;
+    std::size_t face;  ///< index into block.face_sizes
+    std::size_t line;  ///< in the whole text
+    std::string text;  ///< what follows the keyword
   };
   std::vector<Change> changes;
+
+  std::string fault;        ///< "LINE: what is wrong there", of the first line that cannot be read; or empty
+  std::size_t odd_uvs = 0;  ///< `vt` lines whose numbers are not finite
+  std::size_t odd_uv_line = 0;  ///< the first of them
 };
 
-/// Reads the piece's text: faces into `piece`; positions, and normals and uvs unless those arrays are empty,
-/// into their places in `mesh`, which has room for `all` that the text holds. A position that is not finite
-/// keeps what tinyobjloader makes of it: faces are cut by that. False: something cannot be read,
-/// or an index names nothing (first_obj_fault says which).
-bool read_obj_piece(ObjPiece& piece, const ObjCounts& all, TriangleMesh& mesh);
+/// Reads the piece's text: faces into `piece`; positions, and normals and uvs if `want` names them, into
+/// their places in `mesh`, which has room for `all` that the text holds.
+void read_obj_piece(ObjPiece& piece, const ObjCounts& all, const MeshAttributes& want, PolygonMesh& mesh);
 
 }  // namespace nook

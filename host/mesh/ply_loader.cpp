@@ -1,297 +1,211 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
-#include <cstring>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
-#include "base/error.hpp"
-#include "base/input_file.hpp"
-#include "mesh/corner_order.hpp"
+#include "mesh/mesh_text.hpp"
 #include "mesh/ply.hpp"
+#include "mesh/ply_body.hpp"
+#include "mesh/triangulate.hpp"
 
 namespace nook {
 namespace {
 
-// PLY's types under both of their names; the index is the type's number below.
-constexpr std::array<std::array<std::string_view, 2>, 8> type_names = {{{"char", "int8"},
-                                                                        {"uchar", "uint8"},
-                                                                        {"short", "int16"},
-                                                                        {"ushort", "uint16"},
-                                                                        {"int", "int32"},
-                                                                        {"uint", "uint32"},
-                                                                        {"float", "float32"},
-                                                                        {"double", "float64"}}};
-constexpr std::size_t type_bytes[] = {1, 1, 2, 2, 4, 4, 4, 8};
-
-struct Property {
-  std::string name;
-  int type = 0;
-  int count_type = -1;  // of a list; -1: a single value
-};
-
-struct Element {
-  std::string name;
-  std::uint64_t count = 0;
-  std::vector<Property> properties;
-};
-
-class PlyFile {
+class PlyLoader {
  public:
-  explicit PlyFile(const std::filesystem::path& path) : name_(path.string()) {
-    size_of_input(path);
-    std::ifstream in(path, std::ios::binary);
-    text_.assign(std::istreambuf_iterator<char>(in), {});
-    if (!in && text_.empty()) throw Error(ExitCode::scene, name_ + ": cannot be read");
-    read_header();
+  PlyLoader(PlyBody& body, const PlyHeader& header, const MeshAttributes& want, PolygonMesh& mesh)
+      : body_(body), want_(want), mesh_(mesh) {
+    for (const PlyElement& element : header.elements)
+      if (element.name == "vertex") vertices_ += element.count;
+    mesh_.blocks.resize(1);
+    mesh_.place = body.is_text() ? "" : " face ";
+    for (const PlyElement& element : header.elements)
+      if (element.name == "vertex")
+        read_vertices(element);
+      else if (element.name == "face")
+        read_faces(element);
+      else if (element.name == "tristrips")
+        read_strips(element);
+      else
+        skip(element);
+    join_uvs();
   }
-
-  const std::vector<Element>& elements() const { return elements_; }
-  std::size_t bytes_left() const { return text_.size() - at_; }
-  bool binary() const { return binary_; }
-
-  [[noreturn]] void fail(const std::string& what) const {
-    throw Error(ExitCode::scene, line_ ? fmt::format("{}:{}: {}", name_, line_, what)
-                                       : fmt::format("{}: byte {}: {}", name_, at_, what));
-  }
-
-  double value(int type) { return binary_ ? binary_value(type) : word_value(); }
 
  private:
-  std::string line() {
-    const std::size_t end = text_.find('\n', at_);
-    if (end == std::string::npos) fail("the header has no end_header");
-    std::string found = text_.substr(at_, end - at_);
-    at_ = end + 1;
-    ++line_;
-    if (!found.empty() && found.back() == '\r') found.pop_back();
-    return found;
+  FaceBlock& block() { return mesh_.blocks[0]; }
+
+  void read_vertices(const PlyElement& element) {
+    static constexpr std::array<const char*, 2> uv_names[] = {
+        {"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}};
+    const auto place = [&](const char* name) { return element.find(name, false); };
+    const std::array<int, 3> at = {place("x"), place("y"), place("z")},
+                             normal_at = {place("nx"), place("ny"), place("nz")};
+    std::array<int, 2> uv_at = {-1, -1};
+    for (const auto& [u, v] : uv_names)
+      if (uv_at[0] < 0 && place(u) >= 0 && place(v) >= 0) uv_at = {place(u), place(v)};
+    if (std::count(at.begin(), at.end(), -1)) body_.fail("vertices need the properties x, y and z");
+    // No count is believed that the file cannot hold.
+    if (element.count > body_.most_values_left())
+      body_.fail(fmt::format("{} vertices are more than the file holds", element.count));
+    const bool with_normals = want_.normals && !std::count(normal_at.begin(), normal_at.end(), -1);
+    const bool with_uvs = want_.uvs && uv_at[0] >= 0;
+    mesh_.positions.reserve(vertices_);
+    std::vector<double> row(element.properties.size());
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      for (std::size_t p = 0; p < row.size(); ++p) {
+        const PlyProperty& property = element.properties[p];
+        if (!property.is_list)
+          row[p] = body_.value(property.type);
+        else
+          skip(property);
+      }
+      const auto number = [&](int p) { return row[std::size_t(p)]; };
+      mesh_.positions.emplace_back(number(at[0]), number(at[1]), number(at[2]));
+      if (with_normals)
+        mesh_.normals.emplace_back(number(normal_at[0]), number(normal_at[1]), number(normal_at[2]));
+      if (with_uvs) mesh_.uvs.emplace_back(number(uv_at[0]), number(uv_at[1]));
+    }
+    mesh_.vertices_have_normals = with_normals && mesh_.normals.size() == mesh_.positions.size();
+    mesh_.vertices_have_uvs = with_uvs && mesh_.uvs.size() == mesh_.positions.size();
   }
 
-  int type_of(const std::string& word) {
-    for (std::size_t t = 0; t < type_names.size(); ++t)
-      if (word == type_names[t][0] || word == type_names[t][1]) return int(t);
-    fail(fmt::format("unknown type '{}'", word.substr(0, 40)));
+  std::uint32_t checked_index(double value) {
+    if (!(value >= 0 && value < double(vertices_)))
+      body_.fail(fmt::format("vertex index {} is out of range ({} vertices)", value, vertices_));
+    const std::uint32_t whole = std::uint32_t(value);
+    if (double(whole) != value) body_.fail(fmt::format("vertex index {} is not an integer", value));
+    return whole;
   }
 
-  void read_header() {
-    if (line() != "ply") fail("not a PLY file");
-    for (std::string text = line(); text != "end_header"; text = line()) {
-      std::istringstream words(text);
-      std::string word;
-      words >> word;
-      if (word == "format") {
-        words >> word;
-        if (word != "ascii" && word != "binary_little_endian")
-          fail(
-              fmt::format("format '{}' is not supported: ascii or binary_little_endian", word.substr(0, 40)));
-        binary_ = word != "ascii";
-        known_format_ = true;
-      } else if (word == "element") {
-        Element& element = elements_.emplace_back();
-        std::string count;
-        words >> element.name >> count;
-        const auto [end, code] = std::from_chars(count.data(), count.data() + count.size(), element.count);
-        if (code != std::errc() || end != count.data() + count.size() || element.count > 0xfffffff0u)
-          fail("an element needs a name and a count");
-      } else if (word == "property") {
-        if (elements_.empty()) fail("a property before any element");
-        Property property;
-        words >> word;
-        if (word == "list") {
-          words >> word;
-          property.count_type = type_of(word);
-          words >> word;
+  static bool are_indices(const PlyProperty& p) {
+    return p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index");
+  }
+
+  void read_faces(const PlyElement& element) {
+    const bool with_uvs = want_.uvs && element.find("texcoord", true) >= 0;
+    std::vector<double> uvs;
+    block().positions.reserve(
+        std::size_t(3 * std::min<std::uint64_t>(element.count, body_.most_values_left() / 3)));
+    for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
+      const std::size_t first = block().positions.size();
+      body_.skip_blanks();
+      const std::size_t place = body_.is_text() ? body_.line() : std::size_t(i + 1);
+      uvs.clear();
+      for (const PlyProperty& property : element.properties) {
+        if (are_indices(property)) {
+          for (std::size_t k = body_.list_size(property.count_type); k > 0; --k)
+            block().positions.push_back(checked_index(body_.value(property.type)));
+        } else if (with_uvs && property.is_list && property.name == "texcoord") {
+          for (std::size_t k = body_.list_size(property.count_type); k > 0; --k)
+            uvs.push_back(body_.value(property.type));
+        } else {
+          skip(property);
         }
-        property.type = type_of(word);
-        words >> property.name;
-        elements_.back().properties.push_back(property);
-      } else if (word != "comment" && word != "obj_info" && !word.empty()) {
-        fail(fmt::format("unknown header line '{}'", text.substr(0, 40)));
       }
-    }
-    if (!known_format_) fail("the header has no format");
-    if (binary_) line_ = 0;
-  }
-
-  double binary_value(int type) {
-    const std::size_t bytes = type_bytes[type];
-    if (bytes > bytes_left()) fail("the file ends too early");
-    const char* from = text_.data() + at_;
-    at_ += bytes;
-    const auto as = [&](auto number) {
-      std::memcpy(&number, from, sizeof number);
-      return double(number);
-    };
-    switch (type) {
-      case 0:
-        return as(std::int8_t());
-      case 1:
-        return as(std::uint8_t());
-      case 2:
-        return as(std::int16_t());
-      case 3:
-        return as(std::uint16_t());
-      case 4:
-        return as(std::int32_t());
-      case 5:
-        return as(std::uint32_t());
-      case 6:
-        return as(float());
-      default:
-        return as(double());
+      add_face(first, place, uvs);
     }
   }
 
-  double word_value() {
-    const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
-    if (line_start_) {
-      ++line_;
-      line_start_ = false;
-    }
-    while (at_ < text_.size() && blank(text_[at_])) line_ += text_[at_++] == '\n';
-    std::size_t end = at_;
-    while (end < text_.size() && !blank(text_[end])) ++end;
-    if (end == at_) fail("the file ends too early");
-    double number = 0;
-    const auto [stop, code] = std::from_chars(text_.data() + at_, text_.data() + end, number);
-    if (code != std::errc() || stop != text_.data() + end)
-      fail(fmt::format("'{}' is not a number", text_.substr(at_, std::min<std::size_t>(end - at_, 40))));
-    at_ = end;
-    return number;
-  }
-
-  std::string name_, text_;
-  std::size_t at_ = 0, line_ = 0;
-  bool binary_ = false, known_format_ = false, line_start_ = true;
-  std::vector<Element> elements_;
-};
-
-void read_vertices(PlyFile& file, const Element& element, TriangleMesh& mesh, std::vector<vec3>& normals) {
-  static constexpr std::string_view names[] = {"x", "y", "z", "nx", "ny", "nz"};
-  std::array<int, 6> place;
-  place.fill(-1);
-  for (std::size_t p = 0; p < element.properties.size(); ++p)
-    for (std::size_t n = 0; n < 6; ++n)
-      if (element.properties[p].name == names[n] && element.properties[p].count_type < 0) place[n] = int(p);
-  if (place[0] < 0 || place[1] < 0 || place[2] < 0) file.fail("vertices need the properties x, y and z");
-  const bool with_normals = place[3] >= 0 && place[4] >= 0 && place[5] >= 0;
-  // No count is believed that the file cannot hold: a value takes a byte at least, in text two.
-  if (element.count > file.bytes_left() / (file.binary() ? 1 : 2))
-    file.fail(fmt::format("{} vertices are more than the file holds", element.count));
-  std::vector<double> row(element.properties.size());
-  for (std::uint64_t i = 0; i < element.count; ++i) {
-    for (std::size_t p = 0; p < row.size(); ++p) {
-      const Property& property = element.properties[p];
-      row[p] = file.value(property.count_type < 0 ? property.type : property.count_type);
-      if (property.count_type >= 0)
-        for (double rest = row[p]; rest >= 1; --rest) file.value(property.type);
-    }
-    const auto triple = [&](std::size_t n) {
-      return vec3(float(row[std::size_t(place[n])]), float(row[std::size_t(place[n + 1])]),
-                  float(row[std::size_t(place[n + 2])]));
-    };
-    mesh.positions.push_back(triple(0));
-    if (with_normals) normals.push_back(triple(3));
-  }
-}
-
-// Polygons of three corners and more, as fans; corners are checked once all vertices are known.
-void read_faces(PlyFile& file, const Element& element, std::vector<std::array<std::uint32_t, 3>>& triangles) {
-  const auto is_indices = [](const Property& p) {
-    return p.count_type >= 0 && (p.name == "vertex_indices" || p.name == "vertex_index");
-  };
-  for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
-    std::vector<std::uint32_t> corners;
-    for (const Property& property : element.properties) {
-      const double count = property.count_type < 0 ? 1 : file.value(property.count_type);
-      if (!(count >= 0 && count <= double(file.bytes_left())))
-        file.fail(fmt::format("a list of {} values is more than the file holds", count));
-      for (double k = 0; k < count; ++k) {
-        const double value = file.value(property.type);
-        if (!is_indices(property)) continue;
-        if (!(value >= 0 && value < 4294967295.0))
-          file.fail(fmt::format("vertex index {} is out of range", value));
-        corners.push_back(std::uint32_t(value));
-      }
-    }
-    for (std::size_t k = 2; k < corners.size(); ++k)
-      triangles.push_back({corners[0], corners[k - 1], corners[k]});
-  }
-}
-
-void skip(PlyFile& file, const Element& element) {
-  for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i)
-    for (const Property& property : element.properties) {
-      double count = property.count_type < 0 ? 1 : file.value(property.count_type);
-      for (; count >= 1; --count) file.value(property.type);
-    }
-}
-
-void add_triangle(const PlyFile& file, const std::array<std::uint32_t, 3>& triangle,
-                  const std::vector<vec3>& normals, TriangleMesh& mesh) {
-  ++mesh.report.triangles_read;
-  std::array<std::uint32_t, 3> corner_normals{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (triangle[k] >= mesh.positions.size())
-      file.fail(
-          fmt::format("vertex index {} is out of range ({} vertices)", triangle[k], mesh.positions.size()));
-    if (!finite(mesh.positions[triangle[k]])) {
-      ++mesh.report.non_finite_dropped;
+  // The face of the corners from `first` on; `uvs` are two numbers a corner, or none.
+  void add_face(std::size_t first, std::size_t place, const std::vector<double>& uvs) {
+    FaceBlock& faces = block();
+    const std::size_t size = faces.positions.size() - first;
+    if (size < 3) {
+      faces.positions.resize(first);
       return;
     }
-    const bool usable = !normals.empty() && mesh.normals[triangle[k]] != vec3(0);
-    corner_normals[k] = usable ? triangle[k] : TriangleMesh::no_normal;
-    if (!normals.empty() && !usable) ++mesh.report.normals_replaced;
+    if (uvs.size() == 2 * size) {
+      faces.uvs.resize(first, FaceBlock::none);
+      for (std::size_t k = 0; k < size; ++k) {
+        faces.uvs.push_back(std::uint32_t(corner_uvs_.size()));
+        corner_uvs_.emplace_back(uvs[2 * k], uvs[2 * k + 1]);
+      }
+    }
+    faces.face_sizes.push_back(std::uint32_t(size));
+    if (size > 3) faces.places.push_back(std::uint32_t(place));
   }
-  mesh.triangles.push_back(triangle);
-  if (!normals.empty()) mesh.triangle_normals.push_back(corner_normals);
-  for (const std::uint32_t index : triangle) mesh.bounds.add(mesh.positions[index]);
-}
+
+  // Triangles of three corners that follow one another, every other one turned over; -1 begins a new strip.
+  void read_strips(const PlyElement& element) {
+    for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i)
+      for (const PlyProperty& property : element.properties) {
+        if (!are_indices(property)) {
+          skip(property);
+          continue;
+        }
+        std::vector<std::uint32_t> strip;
+        for (std::size_t k = body_.list_size(property.count_type); k > 0; --k) {
+          const double value = body_.value(property.type);
+          if (value == -1) {
+            add_strip(strip);
+            strip.clear();
+          } else {
+            strip.push_back(checked_index(value));
+          }
+        }
+        add_strip(strip);
+      }
+  }
+
+  void add_strip(const std::vector<std::uint32_t>& strip) {
+    for (std::size_t k = 2; k < strip.size(); ++k) {
+      const std::uint32_t a = strip[k - 2], b = strip[k - 1], c = strip[k];
+      if (a == b || b == c || c == a) continue;  // joins two strips
+      const bool turned = k % 2;
+      block().positions.insert(block().positions.end(), {turned ? b : a, turned ? a : b, c});
+      block().face_sizes.push_back(3);
+    }
+  }
+
+  void skip(const PlyProperty& property) {
+    std::size_t count = property.is_list ? body_.list_size(property.count_type) : 1;
+    for (; count > 0; --count) body_.value(property.type);
+  }
+
+  void skip(const PlyElement& element) {
+    for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i)
+      for (const PlyProperty& property : element.properties) skip(property);
+  }
+
+  // Corners' own texture coordinates stand behind those of vertices; corners without have their vertices'.
+  void join_uvs() {
+    if (corner_uvs_.empty()) return;
+    FaceBlock& faces = block();
+    faces.uvs.resize(faces.positions.size(), FaceBlock::none);
+    for (std::size_t c = 0; c < faces.uvs.size(); ++c)
+      if (faces.uvs[c] != FaceBlock::none)
+        faces.uvs[c] += std::uint32_t(mesh_.uvs.size());
+      else if (mesh_.vertices_have_uvs)
+        faces.uvs[c] = faces.positions[c];
+    mesh_.uvs.insert(mesh_.uvs.end(), corner_uvs_.begin(), corner_uvs_.end());
+    mesh_.vertices_have_uvs = false;
+  }
+
+  PlyBody& body_;
+  const MeshAttributes& want_;
+  PolygonMesh& mesh_;
+  std::uint64_t vertices_ = 0;
+  std::vector<vec2> corner_uvs_;
+};
 
 }  // namespace
 
 TriangleMesh load_ply(const std::filesystem::path& path, const MeshAttributes& attributes) {
-  PlyFile file(path);
-  TriangleMesh mesh;
-  std::vector<vec3> normals;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  for (const Element& element : file.elements()) {
-    if (element.name == "vertex")
-      read_vertices(file, element, mesh, normals);
-    else if (element.name == "face")
-      read_faces(file, element, triangles);
-    else
-      skip(file, element);
+  MeshAttributes want = attributes;
+  want.materials = false;
+  PolygonMesh mesh;
+  mesh.name = path.string();
+  {
+    const LargeVector<char> bytes = read_mesh_file(path);
+    const std::string_view text(bytes.data(), bytes.size());
+    const PlyHeader header = read_ply_header(text, mesh.name);
+    PlyBody body(text, header, mesh.name);
+    PlyLoader(body, header, want, mesh);
   }
-  if (!attributes.normals) normals.clear();
-  for (const vec3& n : normals) {
-    const double length = glm::length(dvec3(n));
-    const bool usable = std::isfinite(length) && length > 1e-30;
-    if (usable && std::abs(length - 1) > 1e-3) ++mesh.report.normals_normalised;
-    mesh.normals.push_back(usable ? vec3(dvec3(n) / length) : vec3(0));
-  }
-  for (const auto& triangle : triangles) add_triangle(file, triangle, normals, mesh);
-  if (mesh.report.normals_replaced == 3 * mesh.triangles.size()) {
-    mesh.normals.clear();
-    mesh.triangle_normals.clear();
-    mesh.report.normals_replaced = 0;
-  }
-  if (mesh.triangles.empty()) throw Error(ExitCode::scene, path.string() + ": the mesh has no triangles");
-  if (attributes.groups) {
-    mesh.groups = {path.stem().string()};
-    mesh.triangle_group.assign(mesh.triangles.size(), 0);
-  }
-  end_with_longest_edges(mesh);
-  return mesh;
-}
-
-TriangleMesh load_mesh(const std::filesystem::path& path, const MeshAttributes& attributes) {
-  const std::string extension = path.extension().string();
-  return extension == ".ply" || extension == ".PLY" ? load_ply(path, attributes) : load_obj(path, attributes);
+  if (want.groups) mesh.groups = {path.stem().string()};
+  mesh.blocks[0].runs.push_back({});
+  return triangulated(std::move(mesh), want);
 }
 
 }  // namespace nook

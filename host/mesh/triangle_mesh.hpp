@@ -12,11 +12,21 @@
 
 namespace nook {
 
+/// How a material looks up its opacity map (the options of map_d): texel = map(uv * scale + offset) of a
+/// channel, opacity = base + gain * texel, limited to 0 to 1.
+struct MapLookup {
+  vec2 scale{1, 1}, offset{0, 0};  ///< -s, -o
+  float base = 0, gain = 1;        ///< -mm
+  char channel = 0;    ///< -imfchan: r, g, b, m (alpha), l (luminance); 0: alpha, or luminance if none
+  bool clamp = false;  ///< -clamp: opaque outside 0 to 1; else the map repeats
+};
+
 /// A surface's material, from the MTL file. Only what an effect can read is kept.
 struct Material {
   std::string name;
   float phong_exponent = -1.0f;  ///< Ns; negative: the material has no lobe (no Ns, or Ks 0 0 0)
   std::string opacity_map;       ///< map_d, path as resolved; empty: opaque
+  MapLookup map;
 };
 
 /// An opacity map: a byte a texel, row 0 at the top (v = 1).
@@ -32,6 +42,7 @@ struct MeshAttributes {
   bool uvs = false;
   bool materials = false;
   bool groups = false;
+  bool exponents = false;  ///< materials' Ns are read: one that is no exponent is an error
 };
 
 /// Indexed triangles, shared by the path tracer and SSAO.
@@ -56,6 +67,9 @@ struct TriangleMesh {
   std::vector<std::uint32_t> triangle_group;                   ///< index into groups
   std::vector<Material> materials;
   std::vector<std::string> groups;
+  /// The names by which a group's faces are known besides its own: a and b of "g a b". As long as `groups`,
+  /// or empty.
+  std::vector<std::vector<std::string>> group_names;
   /// A mesh that is placed: a range of `triangles`, and of `positions` those that they use.
   struct Part {
     std::uint32_t first_triangle = 0, triangles = 0;
@@ -83,6 +97,7 @@ struct TriangleMesh {
     std::uint64_t non_finite_dropped = 0;  ///< triangles with a NaN or infinite vertex
     std::uint64_t normals_replaced = 0;    ///< corners whose normal was missing, zero or not finite
     std::uint64_t normals_normalised = 0;  ///< normals whose length was not 1 (within 1e-3)
+    std::vector<std::string> warnings;     ///< a line each, "FILE:LINE: ..."
   } report;
 
   bool empty() const { return triangles.empty(); }

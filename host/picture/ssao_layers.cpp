@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "plan/scene_camera.hpp"
+#include "scene/layer_names.hpp"
 #include "scene/names.hpp"
 #include "ssao/ssao.hpp"
 
@@ -70,6 +71,7 @@ SsaoLayers draw_ssao(const Scene& scene, const TriangleMesh& mesh, const Plan& p
     while (plan.layers[layer_index].kind != EffectKind::ssao) ++layer_index;
     const LayerPlan& layer = plan.layers[layer_index++];
     SsaoRecord& drawn = layers.effects.emplace_back();
+    drawn.name = effect_label(layer.kind, layer.prefix);
     drawn.settings = settings;
     drawn.plan = plan_ssao(settings, mesh.subject_bounds());
     drawn.plan.as_published = scene.compat_tinyrender && !settings.quality;

@@ -15,6 +15,7 @@ namespace nook {
 
 /// A screen-space effect of a run: what was drawn, and the fastest time of each pass over its frames.
 struct SsaoRecord {
+  std::string name;  ///< of its layer, or its type
   SsaoSettings settings;
   SsaoPlan plan;
   unsigned frames = 1;

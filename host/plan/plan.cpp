@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "plan/scene_camera.hpp"
+#include "scene/layer_names.hpp"
 #include "scene/names.hpp"
 
 namespace nook {
@@ -36,31 +37,8 @@ bool any_lobe_of_material(const Scene& scene) {
                      [](const Effect& e) { return e.kind == EffectKind::ro && e.exponent_of_material; });
 }
 
-const Effect& main_effect(const Scene& scene) {
-  const auto found = std::find_if(scene.effects.begin(), scene.effects.end(),
-                                  [](const Effect& e) { return e.kind != EffectKind::ssao; });
-  return found == scene.effects.end() ? scene.effects.front() : *found;
-}
-
 // Asking pays where the answer is often no: within a part of the scene's radius.
 constexpr float reach_of_radius = 0.25f;
-
-// The effect's own name, else its type, numbered if that is taken; an unnamed main effect needs none (bent
-// normals have channels beyond R, G, B).
-std::string layer_prefix(const Scene& scene, const Effect& effect, const std::vector<LayerPlan>& before) {
-  if (!effect.name.empty()) return effect.name + ".";
-  if (&effect == &main_effect(scene) && effect.kind != EffectKind::bent) return "";
-  const std::string type(name_of(effect.kind));
-  const auto taken = [&](const std::string& name) {
-    return std::any_of(scene.effects.begin(), scene.effects.end(),
-                       [&](const Effect& e) { return e.name == name; }) ||
-           std::any_of(before.begin(), before.end(),
-                       [&](const LayerPlan& l) { return l.prefix == name + "."; });
-  };
-  std::string name = type;
-  for (int number = 2; taken(name); ++number) name = type + std::to_string(number);
-  return name + ".";
-}
 
 std::vector<float> exponents_of(const Scene& scene, const TriangleMesh& mesh) {
   std::vector<float> exponents;
@@ -98,6 +76,17 @@ void check(const Scene& scene, const EffectPlan& planned) {
 
 }  // namespace
 
+Effect EffectPlan::resolved() const {
+  Effect known = effect;
+  known.max_distance = std::isinf(max_distance) ? DistanceLimit{DistanceLimit::Kind::none, 0}
+                                                : DistanceLimit{DistanceLimit::Kind::value, max_distance};
+  return known;
+}
+
+std::string EffectPlan::label() const {
+  return effect_label(effect.kind, layer);
+}
+
 bool Plan::only_self() const {
   return std::any_of(effects.begin(), effects.end(), [](const EffectPlan& e) { return e.effect.only_self; });
 }
@@ -120,6 +109,7 @@ MeshAttributes needed_attributes(const Scene& scene, bool surface) {
     needs.normals =
         needs.normals || (effect.kind != EffectKind::position && effect.kind != EffectKind::depth);
   needs.materials = any_lobe_of_material(scene) || scene.cutouts;
+  needs.exponents = any_lobe_of_material(scene);
   needs.uvs = scene.cutouts;
   for (const Effect& effect : scene.effects) {
     const bool names = !effect.occluders.empty() || !effect.receivers.empty();
@@ -164,9 +154,10 @@ Plan make_plan(const Scene& scene, const TriangleMesh& mesh, bool surface) {
   plan.instances = !mesh.instances.empty();
   if (any_lobe_of_material(scene)) plan.exponents = exponents_of(scene, mesh);
   plan.materials = !plan.exponents.empty();
-  for (const Effect& effect : scene.effects) {
-    const LayerPlan layer{effect.kind, layer_prefix(scene, effect, plan.layers),
-                          &effect == &main_effect(scene)};
+  const std::vector<std::string> prefixes = layer_prefixes(scene);
+  for (std::size_t e = 0; e < scene.effects.size(); ++e) {
+    const Effect& effect = scene.effects[e];
+    const LayerPlan layer{effect.kind, prefixes[e], e == main_effect(scene)};
     if (is_surface(effect.kind)) {
       plan.surface = true;
     } else if (effect.kind == EffectKind::ssao) {
@@ -177,7 +168,7 @@ Plan make_plan(const Scene& scene, const TriangleMesh& mesh, bool surface) {
       planned.effect = effect;
       planned.max_distance = resolve_distance(effect, mesh.subject_bounds(), scene.compat_tinyrender);
       planned.reach = planned.max_distance <= reach_of_radius * mesh.subject_bounds().bounding_radius();
-      choose_scales(planned, effect.exponent_of_material
+      choose_scales(planned, effect.kind == EffectKind::ro && effect.exponent_of_material
                                  ? *std::max_element(plan.exponents.begin(), plan.exponents.end())
                                  : effect.exponent);
       check(scene, planned);

@@ -28,6 +28,10 @@ struct EffectPlan {
   std::size_t tree = 0;     ///< what occludes: 0: every triangle; i: Plan::occluder_sets[i - 1]
   TriangleBits receivers;   ///< where it is estimated; empty: everywhere
 
+  /// The effect with the distance limit that holds, for reports.
+  Effect resolved() const;
+  /// "contact", or "ao" without a name: for reports.
+  std::string label() const;
   /// Planes of Film::extra.
   std::size_t extra_planes() const { return effect.kind == EffectKind::bent ? 3 : 0; }
 };

@@ -103,9 +103,7 @@ void add_left_out_rays(const Plan& plan, const TriangleMesh& mesh, PlanReport& r
   for (const EffectPlan& effect : plan.effects)
     if (effect.reach)
       out(fmt::format("no rays from points with nothing within {:.9g} of them ({})", effect.max_distance,
-                      effect.layer.empty()
-                          ? name_of(effect.effect.kind)
-                          : std::string_view(effect.layer).substr(0, effect.layer.size() - 1)));
+                      effect.label()));
   const bool below = std::any_of(plan.effects.begin(), plan.effects.end(), [](const EffectPlan& e) {
     return e.effect.kind == EffectKind::ro || e.effect.sampling == Sampling::sphere;
   });

@@ -8,9 +8,8 @@
 
 #include "base/error.hpp"
 #include "mesh/instance.hpp"
+#include "mesh/load_mesh.hpp"
 #include "mesh/opacity_maps.hpp"
-#include "mesh/ply.hpp"
-#include "plan/cut_outs.hpp"
 
 namespace nook {
 namespace {
@@ -30,13 +29,17 @@ glm::dmat4 matrix_of(const Instance& instance) {
 struct Files {
   std::map<std::filesystem::path, TriangleMesh> meshes;
   InstanceCounts counts;
+  std::vector<std::string> warnings;  // the files'
 };
 
 Files load_files(const Scene& scene, const MeshAttributes& attributes) {
   Files files;
   for (const Instance& instance : scene.instances) {
     const auto [place, fresh] = files.meshes.try_emplace(instance.mesh_file);
-    if (fresh) place->second = load_mesh(instance.mesh_file, attributes);
+    if (fresh) {
+      place->second = load_mesh(instance.mesh_file, attributes);
+      for (std::string& warning : place->second.report.warnings) files.warnings.push_back(std::move(warning));
+    }
     const std::uint64_t triangles = place->second.triangles.size();
     files.counts.stored += fresh ? triangles : 0;
     files.counts.placed += triangles;
@@ -92,7 +95,9 @@ TriangleMesh load_scene_mesh(const Scene& scene, const MeshAttributes& attribute
     if (instancing == Instancing::tree && !why_copies.empty())
       throw Error(ExitCode::scene,
                   fmt::format("{}: instancing = \"tree\": {}", scene.file.string(), why_copies));
+    std::vector<std::string> warnings = std::move(files.warnings);
     whole = place_files(scene, std::move(files), why_copies.empty());
+    whole.report.warnings = std::move(warnings);
     whole.why_copies = why_copies;
   }
   if (scene.ground) {

@@ -10,8 +10,25 @@
 namespace nook {
 namespace {
 
+// The names that faces of a group go by: "a b" of "g a b" goes by a and b as well.
+std::vector<std::string_view> names_of_group(const TriangleMesh& mesh, std::size_t group) {
+  std::vector<std::string_view> names = {mesh.groups[group]};
+  if (!mesh.group_names.empty())
+    names.insert(names.end(), mesh.group_names[group].begin(), mesh.group_names[group].end());
+  return names;
+}
+
+bool share_a_name(const TriangleMesh& mesh, std::size_t a, std::size_t b) {
+  if (a == b) return true;
+  if (mesh.group_names.empty()) return false;
+  const std::vector<std::string_view> of_a = names_of_group(mesh, a), of_b = names_of_group(mesh, b);
+  return std::find_first_of(of_a.begin(), of_a.end(), of_b.begin(), of_b.end()) != of_a.end();
+}
+
 std::vector<std::string_view> known_names(const TriangleMesh& mesh) {
-  std::vector<std::string_view> known(mesh.groups.begin(), mesh.groups.end());
+  std::vector<std::string_view> known;
+  for (std::size_t g = 0; g < mesh.groups.size(); ++g)
+    for (const std::string_view name : names_of_group(mesh, g)) known.push_back(name);
   for (const Material& material : mesh.materials) known.push_back(material.name);
   return known;
 }
@@ -41,7 +58,10 @@ TriangleBits named_triangles(const Scene& scene, const TriangleMesh& mesh, const
                   fmt::format("{}: {}: no group or material '{}' in {}{} (groups and materials: {})",
                               scene.file.string(), key, name, scene.mesh_file.string(),
                               suggestion(name, known), some_of(known)));
-    for (std::size_t g = 0; g < groups.size(); ++g) groups[g] = groups[g] || mesh.groups[g] == name;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      const std::vector<std::string_view> of_group = names_of_group(mesh, g);
+      groups[g] = groups[g] || std::find(of_group.begin(), of_group.end(), name) != of_group.end();
+    }
     for (std::size_t m = 0; m < materials.size(); ++m)
       materials[m] = materials[m] || mesh.materials[m].name == name;
   }
@@ -71,7 +91,11 @@ GroupTrees group_trees(const TriangleMesh& mesh) {
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) triangles[mesh.triangle_group[t]].push_back(t);
   GroupTrees made;
   BvhNodes<Width> nodes;
-  for (const std::vector<std::uint32_t>& group : triangles) {
+  for (std::size_t g = 0; g < triangles.size(); ++g) {
+    std::vector<std::uint32_t> group = triangles[g];
+    for (std::size_t other = 0; other < triangles.size() && !mesh.group_names.empty(); ++other)
+      if (other != g && share_a_name(mesh, g, other))
+        group.insert(group.end(), triangles[other].begin(), triangles[other].end());
     const Bvh tree = build_bvh(mesh, group, {.width = Width});
     const auto& of_group = std::get<BvhNodes<Width>>(tree.nodes);
     made.first.push_back(std::uint32_t(nodes.size()));

@@ -15,6 +15,7 @@
 #include "render/checkpoint_writer.hpp"
 #include "render/run.hpp"
 #include "render/scene_renderer.hpp"
+#include "scene/scene_writer.hpp"
 #include "trace/deadline.hpp"
 #include "trace/identity.hpp"
 
@@ -56,8 +57,8 @@ PictureRun::PictureRun(SceneRenderer& renderer, PictureRequest request)
   if (plan.effects.empty()) return;
   samples_ = std::make_unique<Samples>(
       Samples{CheckpointWriter(request_.part_file, request_.seconds_between_parts), {}, {}, {}});
-  FilmPart::Texts identity = film_identity(plan, renderer_.device().info(), request_.scene_hash,
-                                           request_.mesh_hash, texts_of_rule(stop));
+  FilmPart::Texts identity = film_identity(plan, renderer_.device().info(), scene_hash(renderer_.scene()),
+                                           renderer_.mesh_hash(), texts_of_rule(stop));
   OcclusionTracer& tracer = renderer_.tracer();
   if (stop.error)
     samples_->adaptive.emplace(tracer, plan, error_target(stop), std::move(identity));
@@ -91,7 +92,8 @@ void PictureRun::take(RunObserver& observer) {
   const Stopwatch watch;
   if (samples_) {
     Session& session = samples_->session();
-    const Deadline deadline(stop.seconds ? std::optional(request_.start + *stop.seconds) : std::nullopt);
+    const bool timed = stop.seconds && request_.camera_rays.empty();
+    const Deadline deadline(timed ? std::optional(request_.start + *stop.seconds) : std::nullopt);
     const RunControl control{renderer_.tracer(), samples_->writer, deadline, observer};
     if (samples_->adaptive) {
       const AdaptiveResult& result = samples_->result = run_to_error(*samples_->adaptive, control);
@@ -99,8 +101,12 @@ void PictureRun::take(RunObserver& observer) {
                            result.share_done};
       complete_ = result.met();
     } else {
-      run_to_samples(session, session.share(request_.share.value_or(Share{})), stop.seconds.has_value(),
-                     control);
+      const SampleBox share = session.share(request_.share.value_or(Share{}));
+      Session::Schedule schedule = timed ? doublings() : all_of(share);
+      SampleBoxes all{share};
+      if (!request_.camera_rays.empty())
+        all = (schedule = all_of_each(session, request_.camera_rays))(session);
+      run_schedule(session, schedule, samples_in(subtract(all, session.held())), control);
       if (stop.seconds) error_ = error_of(session.films());
     }
   }
@@ -119,6 +125,13 @@ void PictureRun::take(RunObserver& observer) {
   render_seconds_ = part.render_seconds;
 }
 
+std::string PictureRun::why_not_repeatable() const {
+  const StopTarget& stop = renderer_.scene().stop;
+  if (!samples_ || !stop.seconds) return "";
+  if (stop.error) return complete_ ? "" : "its time ended before its error was met";
+  return has_first_samples(samples_->session()) ? "" : "its pixels have other samples than their first";
+}
+
 void PictureRun::keep() {
   if (samples_) samples_->writer.write(samples_->session());
 }
@@ -130,6 +143,9 @@ Image PictureRun::image() {
     const FilmPart& part = samples_->session().part();
     image = samples_->adaptive ? adaptive_picture(plan, part, samples_->result) : make_picture(part);
     if (plan.denoise) denoise_picture(plan, part.films, surface_, image);
+    const StopTarget& stop = renderer_.scene().stop;
+    if (stop.seconds && !stop.error && has_first_samples(samples_->session()))
+      image.channels.push_back({camera_rays_channel, part.films.front().camera_samples});
   } else if (plan.needs_opencl()) {
     image = {plan.window.width(), plan.window.height(), channels_of_surface(), {}};
   }

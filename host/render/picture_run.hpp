@@ -17,6 +17,9 @@ namespace nook {
 
 class SceneRenderer;
 
+/// The channel of what each pixel got, where its scene does not say it: camera rays.
+inline constexpr const char* camera_rays_channel = "camera_rays";
+
 /// What a picture is made for, beside what its scene says.
 struct PictureRequest {
   std::vector<std::string> aovs;      ///< more channels, as --aov names them
@@ -26,7 +29,9 @@ struct PictureRequest {
   bool resume = false;                ///< go on from the file, if it is there
   double start = 0;                   ///< of the scene's time limit, by Deadline::steady_seconds(); 0: now
   unsigned frames = 1;                ///< of each screen-space effect, for timing
-  std::string scene_hash, mesh_hash;  ///< of a part's identity
+  /// Camera rays of each pixel of the window, row by row, of a picture that is made again: those alone,
+  /// whatever time it takes. Empty: as the scene says.
+  std::vector<std::uint32_t> camera_rays;
 };
 
 /// One picture of a SceneRenderer, step by step, so that what is known at each can be recorded:
@@ -59,6 +64,8 @@ class PictureRun {
   double render_seconds() const { return render_seconds_; }
   /// What was drawn, after image().
   const SsaoLayers& ssao() const { return ssao_; }
+  /// Why the image cannot be made again from its scene and its channels, after take(); empty: it can.
+  std::string why_not_repeatable() const;
 
  private:
   struct Samples;

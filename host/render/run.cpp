@@ -38,6 +38,8 @@ void keeping(Session& session, RunControl& control, Run run) {
   throw Error(ExitCode::interrupted, "interrupted" + control.writer.what_is_kept(session));
 }
 
+}  // namespace
+
 Session::Schedule doublings() {
   return [](const Session& session) -> SampleBoxes {
     const SampleBox all = session.share({0, 1});
@@ -48,14 +50,29 @@ Session::Schedule doublings() {
   };
 }
 
-}  // namespace
+Session::Schedule all_of_each(const Session& session, std::span<const std::uint32_t> camera_rays) {
+  SampleBoxes boxes;
+  const std::uint32_t pixels = session.share({0, 1}).pixel_end;
+  for (std::uint32_t begin = 0, end; begin < pixels; begin = end) {
+    const std::uint32_t rays = camera_rays[session.film_index(begin)];
+    for (end = begin + 1; end < pixels && camera_rays[session.film_index(end)] == rays;) ++end;
+    if (rays > 0) boxes.push_back({begin, end, 0, rays});
+  }
+  return [boxes](const Session&) { return boxes; };
+}
 
-void run_to_samples(Session& session, const SampleBox& share, bool doubling, RunControl control) {
+bool has_first_samples(const Session& session) {
+  const std::vector<std::uint32_t>& taken = session.films().front().camera_samples;
+  return subtract(session.held(), all_of_each(session, taken)(session)).empty();
+}
+
+void run_schedule(Session& session, const Session::Schedule& schedule, std::uint64_t total,
+                  RunControl control) {
   const std::uint64_t held_before = session.samples_held(), rays_before = rays_of(control.tracer);
   RunProgress now;
-  now.total = std::max<std::uint64_t>(1, samples_in(subtract({share}, session.held())));
+  now.total = std::max<std::uint64_t>(1, total);
   keeping(session, control, [&] {
-    return session.run(doubling ? doublings() : all_of(share), [&] {
+    return session.run(schedule, [&] {
       now.samples = session.samples_held() - held_before;
       now.rays = rays_of(control.tracer) - rays_before;
       control.observer.progress(now);

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/stopwatch.hpp"
 #include "bvh/bvh.hpp"
+#include "mesh/mesh_analysis.hpp"
 #include "plan/scene_mesh.hpp"
 #include "plan/tree_options.hpp"
 #include "render/picture_run.hpp"
@@ -17,6 +18,7 @@ namespace nook {
 // The tree is of the mesh, and the tracer keeps references to all three.
 struct SceneRenderer::Shared {
   TriangleMesh mesh;
+  std::string mesh_hash;  // empty until it is asked for
   std::future<Device> opening;
   OpenDevice open;
   std::optional<Device> device;
@@ -62,6 +64,11 @@ void SceneRenderer::make_plan() {
 
 const TriangleMesh& SceneRenderer::mesh() const {
   return shared_->mesh;
+}
+
+const std::string& SceneRenderer::mesh_hash() const {
+  if (shared_->mesh_hash.empty()) shared_->mesh_hash = nook::mesh_hash(shared_->mesh);
+  return shared_->mesh_hash;
 }
 
 const Device& SceneRenderer::device() {

@@ -56,6 +56,8 @@ class SceneRenderer {
 
   const Scene& scene() const { return scene_; }
   const TriangleMesh& mesh() const;
+  /// nook::mesh_hash() of it.
+  const std::string& mesh_hash() const;
   /// What will be computed, with the scene's stop target in it (plan_until()).
   const Plan& plan() const { return plan_; }
   /// Renders by another plan of the same scene; before tree() or tracer() are asked for.

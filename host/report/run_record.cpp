@@ -2,42 +2,69 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/pending_file.hpp"
 #include "base/version.hpp"
+#include "scene/effect_keys.hpp"
 #include "scene/names.hpp"
 
 namespace nook {
 namespace {
 
-std::string distance_text(float distance) {
-  return std::isinf(distance) ? "none" : fmt::format("{}", distance);
+nlohmann::json json_of(const KeyValue& value) {
+  return std::visit(
+      [&](const auto& v) -> nlohmann::json {
+        using T = std::decay_t<decltype(v)>;
+        if constexpr (std::is_same_v<T, std::monostate>)
+          return {};
+        else if constexpr (std::is_same_v<T, float>)
+          return std::stod(fmt::format("{}", v));  // 0.01 and not 0.00999999977
+        else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string> ||
+                           std::is_same_v<T, std::vector<std::string>>)
+          return v;
+        else
+          return plain_text(value);
+      },
+      value);
 }
 
-nlohmann::json effect_json(const EffectPlan& effect) {
-  nlohmann::json json = {{"type", name_of(effect.effect.kind)},
-                         {"sampling", name_of(effect.effect.sampling)}};
-  if (std::isinf(effect.max_distance))
-    json["max_distance"] = "none";
-  else
-    json["max_distance"] = effect.max_distance;
-  if (effect.effect.kind == EffectKind::ro && effect.effect.exponent_of_material)
-    json["exponent"] = "material";
-  else if (effect.effect.kind == EffectKind::ro)
-    json["exponent"] = effect.effect.exponent;
+nlohmann::json effect_json(const std::string& name, const Effect& effect) {
+  nlohmann::json json = {{"name", name}, {"type", name_of(effect.kind)}};
+  for (const auto& [key, value] : settings_of(effect)) json[std::string(key->recorded_as())] = json_of(value);
   return json;
 }
 
-void add_ssao_metadata(std::map<std::string, std::string>& m, const std::string& prefix,
-                       const SsaoRecord& record) {
+// What was drawn: `quality` decides some of the settings.
+Effect drawn_effect(const SsaoRecord& record) {
+  Effect effect = default_effect(EffectKind::ssao);
+  effect.ssao = record.settings;
+  effect.ssao.method = record.plan.method;
+  effect.ssao.radius = record.plan.radius;
+  effect.ssao.bias = record.plan.bias;
+  return effect;
+}
+
+nlohmann::json ssao_json(const SsaoRecord& record) {
+  nlohmann::json json = effect_json(record.name, drawn_effect(record)), passes;
+  for (const SsaoTiming& pass : record.passes) passes[pass.pass] = pass.seconds;
+  json["frames"] = record.frames;
+  json["seconds_per_frame"] = record.seconds_per_frame;
+  json["passes"] = passes;
+  return json;
+}
+
+void add_effect(std::map<std::string, std::string>& m, const std::string& prefix, const std::string& name,
+                const Effect& effect) {
+  m[prefix + "effect"] = name_of(effect.kind);
+  m[prefix + "name"] = name;
+  for (const auto& [key, value] : settings_of(effect))
+    m[prefix + std::string(key->recorded_as())] = plain_text(value);
+}
+
+void add_ssao(std::map<std::string, std::string>& m, const std::string& prefix, const SsaoRecord& record) {
   const SsaoPlan& plan = record.plan;
-  m[prefix + "effect"] = "ssao";
-  m[prefix + "method"] = name_of(plan.method);
-  m[prefix + "quality"] = record.settings.quality ? name_of(*record.settings.quality) : "none";
-  m[prefix + "radius"] = fmt::format("{}", plan.radius);
-  m[prefix + "bias"] = fmt::format("{}", plan.bias);
+  add_effect(m, prefix, record.name, drawn_effect(record));
   m[prefix + (plan.method == SsaoSettings::Method::gtao ? "slices" : "ssao_directions")] =
       std::to_string(plan.directions);
   m[prefix + "steps"] = std::to_string(plan.steps);
@@ -45,15 +72,9 @@ void add_ssao_metadata(std::map<std::string, std::string>& m, const std::string&
   m[prefix + "seconds_per_frame"] = fmt::format("{:.4f}", record.seconds_per_frame);
 }
 
-nlohmann::json ssao_json(const SsaoRecord& record) {
-  nlohmann::json passes;
-  for (const SsaoTiming& pass : record.passes) passes[pass.pass] = pass.seconds;
-  return {{"type", "ssao"},
-          {"method", name_of(record.plan.method)},
-          {"radius", record.plan.radius},
-          {"frames", record.frames},
-          {"seconds_per_frame", record.seconds_per_frame},
-          {"passes", passes}};
+// Effects are numbered: nook/..., nook/effect2/..., screen-space ones last.
+std::string prefix_of(std::size_t effect) {
+  return effect == 0 ? "nook/" : fmt::format("nook/effect{}/", effect + 1);
 }
 
 }  // namespace
@@ -64,26 +85,19 @@ std::map<std::string, std::string> RunRecord::metadata() const {
   m["nook/build"] = build_description;
   m["nook/scene_file"] = scene_file;
   m["nook/scene_hash"] = scene_hash;
+  m["nook/scene"] = scene;
+  m["nook/folder"] = folder;
+  if (!aovs.empty()) m["nook/aovs"] = fmt::format("{}", fmt::join(aovs, ","));
+  if (!not_repeatable.empty()) m["nook/not_repeatable"] = not_repeatable;
   m["nook/mesh_hash"] = mesh_hash;
   m["nook/sampler"] = name_of(plan.sampler);
   m["nook/seed"] = std::to_string(plan.seed);
   m["nook/spp"] = std::to_string(plan.spp);
   m["nook/directions"] = std::to_string(plan.directions);
-  for (std::size_t e = 0; e < plan.effects.size(); ++e) {
-    const EffectPlan& effect = plan.effects[e];
-    const std::string prefix = e == 0 ? "nook/" : fmt::format("nook/effect{}/", e + 1);
-    m[prefix + "effect"] = name_of(effect.effect.kind);
-    m[prefix + "sampling"] = name_of(effect.effect.sampling);
-    m[prefix + "max_distance"] = distance_text(effect.max_distance);
-    if (effect.effect.kind == EffectKind::ro)
-      m[prefix + "exponent"] =
-          effect.effect.exponent_of_material ? "material" : fmt::format("{}", effect.effect.exponent);
-  }
+  for (std::size_t e = 0; e < plan.effects.size(); ++e)
+    add_effect(m, prefix_of(e), plan.effects[e].label(), plan.effects[e].resolved());
   if (plan.denoise) m["nook/denoised"] = "a-trous";
-  for (std::size_t e = 0; e < ssao.size(); ++e) {
-    const std::size_t index = plan.effects.size() + e;
-    add_ssao_metadata(m, index == 0 ? "nook/" : fmt::format("nook/effect{}/", index + 1), ssao[e]);
-  }
+  for (std::size_t e = 0; e < ssao.size(); ++e) add_ssao(m, prefix_of(plan.effects.size() + e), ssao[e]);
   if (error) {
     if (error->asked > 0) m["nook/error_asked"] = fmt::format("{}", error->asked);
     m["nook/error_reached"] = fmt::format("{:.6g}", error->reached);
@@ -143,7 +157,7 @@ void write_stats(const std::filesystem::path& path, const RunRecord& r) {
                      {"worst", r.error->worst},
                      {"share_done", r.error->share_done}};
   for (std::size_t e = 0; e < r.plan.effects.size(); ++e) {
-    json["effects"].push_back(effect_json(r.plan.effects[e]));
+    json["effects"].push_back(effect_json(r.plan.effects[e].label(), r.plan.effects[e].resolved()));
     if (e < r.effect_rays.size()) json["effects"].back()["rays"] = r.effect_rays[e];
   }
   for (const SsaoRecord& record : r.ssao) json["effects"].push_back(ssao_json(record));

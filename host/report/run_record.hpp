@@ -25,6 +25,10 @@ struct RunRecord {
   Plan plan;
   std::string scene_hash, mesh_hash;
   std::string scene_file;
+  /// What makes the picture again: the resolved scene (TOML), the channels asked for besides, the folder that
+  /// it was first written to, and why it cannot be made again, if so.
+  std::string scene, folder, not_repeatable;
+  std::vector<std::string> aovs;
   DeviceInfo device;  ///< name, platform_name and driver alone if only SSAO was drawn, by OpenGL
   std::vector<SsaoRecord> ssao;
   RunSeconds seconds;

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "scene/scene.hpp"
@@ -58,29 +59,35 @@ std::string_view name_of(NameTable<T> table, T value) {
     if (entry == value) return name;
   return "?";
 }
-inline std::string_view name_of(Sampling v) {
-  return name_of<Sampling>(sampling_names, v);
+// The table of an enumeration.
+inline NameTable<Sampling> names_of(Sampling) {
+  return sampling_names;
 }
-inline std::string_view name_of(Sampler v) {
-  return name_of<Sampler>(sampler_names, v);
+inline NameTable<Sampler> names_of(Sampler) {
+  return sampler_names;
 }
-inline std::string_view name_of(EffectKind v) {
-  return name_of<EffectKind>(effect_names, v);
+inline NameTable<EffectKind> names_of(EffectKind) {
+  return effect_names;
 }
-inline std::string_view name_of(Falloff v) {
-  return name_of<Falloff>(falloff_names, v);
+inline NameTable<Falloff> names_of(Falloff) {
+  return falloff_names;
 }
-inline std::string_view name_of(Instancing v) {
-  return name_of<Instancing>(instancing_names, v);
+inline NameTable<Side> names_of(Side) {
+  return side_names;
 }
-inline std::string_view name_of(Side v) {
-  return name_of<Side>(side_names, v);
+inline NameTable<Instancing> names_of(Instancing) {
+  return instancing_names;
 }
-inline std::string_view name_of(SsaoSettings::Method v) {
-  return name_of<SsaoSettings::Method>(ssao_method_names, v);
+inline NameTable<SsaoSettings::Method> names_of(SsaoSettings::Method) {
+  return ssao_method_names;
 }
-inline std::string_view name_of(SsaoSettings::Quality v) {
-  return name_of<SsaoSettings::Quality>(ssao_quality_names, v);
+inline NameTable<SsaoSettings::Quality> names_of(SsaoSettings::Quality) {
+  return ssao_quality_names;
+}
+
+template <class E>
+requires std::is_enum_v<E> std::string_view name_of(E value) {
+  return name_of<E>(names_of(value), value);
 }
 
 template <class T>

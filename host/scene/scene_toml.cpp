@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "scene/effect_toml.hpp"
 #include "scene/input_toml.hpp"
+#include "scene/scene_keys.hpp"
 #include "scene/toml_table.hpp"
 
 namespace nook {
@@ -36,65 +35,20 @@ void read_effects(const std::string& file, const toml::node* list, TomlTable& re
   }
 }
 
-// error, time and what goes with them, instead of spp.
-void read_stop(TomlTable& renderer, Scene& scene) {
+void read_renderer(TomlTable& renderer, Scene& scene) {
+  read_keys(renderer, renderer_keys(), scene);
+  check_use(renderer, renderer_keys(), scene);
   StopTarget& stop = scene.stop;
-  const bool error = renderer.has("error"), seconds = renderer.has("time");
-  if (error) stop.error = renderer.number("error", 0, 1e-4, 1, "a standard error from 1e-4 to 1");
-  if (seconds) stop.seconds = renderer.number("time", 0, 0.05, 1e7, "seconds from 0.05 to 1e7");
-  const auto needs = [&](const char* key, bool fulfilled, const char* what) {
-    if (renderer.has(key) && !fulfilled)
-      fail_at(renderer.file(), renderer.find(key)->source(), fmt::format("{} goes with {}", key, what));
-  };
-  needs("confidence", error, "error");
-  needs("min_spp", error, "error");
-  needs("max_spp", error || seconds, "error or time");
-  if (stop.any() && renderer.has("spp"))
-    fail_at(renderer.file(), renderer.find("spp")->source(),
-            "spp and error or time exclude one another; max_spp bounds them");
-  stop.confidence = renderer.number("confidence", stop.confidence, 0.5, 0.9999, "from 0.5 to 0.9999");
-  stop.max_spp = std::uint32_t(renderer.integer("max_spp", stop.max_spp, 1, 1 << 26));
-  stop.min_spp = std::uint32_t(renderer.integer("min_spp", std::min(stop.min_spp, stop.max_spp), 1, 1 << 26));
+  if (!renderer.has("min_spp")) stop.min_spp = std::min(stop.min_spp, stop.max_spp);
   if (stop.min_spp > stop.max_spp)
     fail_at(renderer.file(), renderer.find("min_spp")->source(),
             fmt::format("min_spp is above max_spp, {}", stop.max_spp));
 }
 
-void read_renderer(TomlTable& renderer, Scene& scene) {
-  scene.realtime = renderer.boolean("realtime", false);
-  scene.spp = std::uint32_t(renderer.integer("spp", 1, 1, 1 << 26));
-  scene.directions = std::uint32_t(renderer.integer("directions", 1, 1, 1 << 26));
-  scene.sampler = renderer.choice<Sampler>("sampler", Sampler::sobol, sampler_names);
-  read_stop(renderer, scene);
-  scene.seed = std::uint32_t(renderer.integer("seed", 0, 0, 0xffffffffLL));
-  static constexpr std::pair<std::string_view, bool> compat_names[] = {{"tinyrender", true}, {"none", false}};
-  scene.denoise = renderer.boolean("denoise", false);
-  scene.compat_tinyrender = renderer.choice<bool>("compat", false, compat_names);
-}
-
-void read_film(TomlTable& film, Scene& scene) {
-  scene.width = int(film.integer("width", scene.width, 1, 65535));
-  scene.height = int(film.integer("height", scene.height, 1, 65535));
-  const toml::node* node = film.find("crop");
-  if (!node) return;
-  const toml::array* array = node->as_array();
-  std::array<int, 4> edges{};
-  bool valid = array && array->size() == 4;
-  for (std::size_t i = 0; valid && i < 4; ++i) {
-    const auto* edge = array->get(i)->as_integer();
-    valid = edge && **edge >= 0 && **edge <= 65535;
-    if (valid) edges[i] = int(**edge);
-  }
-  if (!valid) film.wrong(*node, "crop", "four integers x0, x1, y0, y1");
-  scene.crop = PixelRect{edges[0], edges[2], edges[1], edges[3]};
-}
-
-toml::table parse(const std::filesystem::path& path) {
-  constexpr std::uint64_t largest = 16u << 20;
-  if (size_of_input(path) > largest)
-    throw Error(ExitCode::scene, fmt::format("{}: too large for a scene file (over 16 MiB)", path.string()));
+template <class Parse>
+toml::table parsed(const std::filesystem::path& path, Parse parse) {
   try {
-    return toml::parse_file(path.string());
+    return parse();
   } catch (const toml::parse_error& e) {
     if (e.source().begin.line == 0)
       throw Error(ExitCode::scene, fmt::format("{}: {}", path.string(), e.description()));
@@ -102,10 +56,7 @@ toml::table parse(const std::filesystem::path& path) {
   }
 }
 
-}  // namespace
-
-Scene load_scene(const std::filesystem::path& path) {
-  const toml::table root = parse(path);
+Scene scene_of(const toml::table& root, const std::filesystem::path& path) {
   const std::string file = path.string();
   TomlTable top(file, "the scene", &root);
   auto table = [&](const char* key) {
@@ -120,16 +71,26 @@ Scene load_scene(const std::filesystem::path& path) {
   Scene scene;
   scene.file = path;
   read_input(input, ground, top.find("instance"), scene);
-  scene.camera.fov =
-      float(camera.number("fov", scene.camera.fov, 0, 180, "an angle above 0 and below 180 degrees", true));
-  scene.camera.eye = camera.point("eye", scene.camera.eye);
-  scene.camera.at = camera.point("at", scene.camera.at);
-  scene.camera.up = camera.point("up", scene.camera.up);
-  read_film(film, scene);
+  read_keys(camera, camera_keys(), scene);
+  check_use(camera, camera_keys(), scene);
+  read_keys(film, film_keys(), scene);
   read_renderer(renderer, scene);
   read_effects(file, top.find("effect"), renderer, scene);
   for (const TomlTable* each : {&top, &input, &camera, &film, &renderer, &ground}) each->finish();
   return scene;
+}
+
+}  // namespace
+
+Scene load_scene(const std::filesystem::path& path) {
+  constexpr std::uint64_t largest = 16u << 20;
+  if (size_of_input(path) > largest)
+    throw Error(ExitCode::scene, fmt::format("{}: too large for a scene file (over 16 MiB)", path.string()));
+  return scene_of(parsed(path, [&] { return toml::parse_file(path.string()); }), path);
+}
+
+Scene parse_scene(const std::string& text, const std::filesystem::path& file) {
+  return scene_of(parsed(file, [&] { return toml::parse(text); }), file);
 }
 
 Scene scene_of_mesh(const std::filesystem::path& mesh_file) {

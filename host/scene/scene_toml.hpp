@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "scene/scene.hpp"
 
@@ -10,6 +11,9 @@ namespace nook {
 /// Throws Error(scene) with one line "<file>:<row>:<column>: ..." for a syntax error, an unknown table, key
 /// or value (with the nearest known one), a wrong type, or a value out of its range.
 Scene load_scene(const std::filesystem::path& path);
+
+/// The same of a text; `file`: where it is from, for messages and for the folder that meshes are relative to.
+Scene parse_scene(const std::string& text, const std::filesystem::path& file);
 
 /// A scene for a bare mesh: automatic camera, AO with 16 camera rays a pixel.
 Scene scene_of_mesh(const std::filesystem::path& mesh_file);

@@ -2,14 +2,13 @@
 
 #include <toml++/toml.h>
 
-#include <algorithm>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "math/types.hpp"
-#include "scene/names.hpp"
-#include "scene/scene.hpp"
+#include "scene/key.hpp"
 
 namespace nook {
 
@@ -30,25 +29,8 @@ class TomlTable {
   void set_title(std::string title) { title_ = std::move(title); }
   bool has(std::string_view key) const { return table_ && table_->contains(key); }
 
-  bool boolean(std::string_view key, bool value);
-  /// In [lo, hi], or in (lo, hi) if `open`; `what` describes the domain in the message.
-  double number(std::string_view key, double value, double lo, double hi, const char* what,
-                bool open = false);
-  std::int64_t integer(std::string_view key, std::int64_t value, std::int64_t lo, std::int64_t hi);
-  std::string text(std::string_view key, std::string value);
-  vec3 point(std::string_view key, vec3 value);
-  DistanceLimit distance(std::string_view key, DistanceLimit value);
-
-  template <class T>
-  T choice(std::string_view key, T value, NameTable<T> names) {
-    const toml::node* node = find(key);
-    if (!node) return value;
-    const std::string word = text(key, "");
-    if (const auto found = value_of(names, word)) return *found;
-    std::vector<std::string_view> known;
-    for (const auto& entry : names) known.push_back(entry.first);
-    unknown_value(*node, key, word, known);
-  }
+  /// The key's value, which must belong to its domain; nullopt if it is absent.
+  std::optional<KeyValue> read(const KeyInfo& key);
 
   /// The key's node, null if absent. The key counts as asked for.
   const toml::node* find(std::string_view key);
@@ -61,12 +43,27 @@ class TomlTable {
 
  private:
   [[noreturn]] void unknown_value(const toml::node& node, std::string_view key, std::string_view word,
-                                  const std::vector<std::string_view>& known) const;
+                                  std::span<const std::string_view> known) const;
 
   const std::string& file_;
   std::string title_;
   const toml::table* table_;
   std::vector<std::string_view> asked_;
 };
+
+/// Reads every key of `keys` that the table has into `owner`.
+template <class Owner>
+void read_keys(TomlTable& table, std::span<const Key<Owner>> keys, Owner& owner) {
+  for (const Key<Owner>& key : keys)
+    if (const auto value = table.read(key.info)) key.field.set(owner, *value);
+}
+
+/// Throws at the first key that was given and does not apply beside the others.
+template <class Owner>
+void check_use(TomlTable& table, std::span<const Key<Owner>> keys, const Owner& owner) {
+  for (const Key<Owner>& key : keys)
+    if (table.has(key.info.name) && !key.in_use(owner))
+      fail_at(table.file(), table.find(key.info.name)->source(), std::string(key.info.needs));
+}
 
 }  // namespace nook

@@ -5,6 +5,7 @@
 
 #include "base/version.hpp"
 #include "device/kernel_source.hpp"
+#include "scene/effect_keys.hpp"
 #include "scene/names.hpp"
 
 namespace nook {
@@ -34,8 +35,8 @@ FilmPart::Texts film_identity(const Plan& plan, const DeviceInfo& device, const 
   add("seed", plan.seed);
   for (const EffectPlan& effect : plan.effects) {
     add("effect", name_of(effect.effect.kind));
-    add("sampling", name_of(effect.effect.sampling));
-    add("max_distance", effect.max_distance);
+    for (const auto& [key, value] : settings_of(effect.resolved()))
+      add(std::string(key->recorded_as()), plain_text(value));
   }
   identity.insert(identity.end(), extra.begin(), extra.end());
   add("scene", scene_hash);

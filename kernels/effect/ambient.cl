@@ -12,6 +12,12 @@
 #include "inline.h"
 #include "sample/warp.cl"
 
+// The weight of a direction at cosine z to the normal, drawn uniformly from the cone about it of half-angle a (the
+// hemisphere: cos a = 0): its part of the integral over its density.
+INLINE float weight_of_uniform(float z, float cos_a) {
+  return 2.0f * z / (1.0f + cos_a);
+}
+
 // One direction (unit, world) about the unit shading normal from u in [0,1)². Returns its weight; 0: do not trace.
 INLINE float ambient_sample(float2 u, float3 normal, float3* direction) {
   Frame frame = frame_about(normal);
@@ -19,10 +25,10 @@ INLINE float ambient_sample(float2 u, float3 normal, float3* direction) {
   float weight;
   if (SAMPLING == SAMPLING_HEMISPHERE) {
     in_frame = square_to_hemisphere(u);
-    weight = 2.0f * in_frame.z;
+    weight = weight_of_uniform(in_frame.z, 0.0f);
   } else if (SAMPLING == SAMPLING_SPHERE) {
     in_frame = square_to_sphere(u);
-    weight = 4.0f * fmax(0.0f, in_frame.z);
+    weight = in_frame.z > 0.0f ? 2.0f * weight_of_uniform(in_frame.z, 0.0f) : 0.0f;
   } else {
     in_frame = square_to_cosine_hemisphere(u);
     weight = 1.0f;

@@ -5,6 +5,7 @@
 #ifndef NOOK_CONE_CL
 #define NOOK_CONE_CL
 
+#include "ambient.cl"
 #include "config.h"
 #include "sample/frame.cl"
 #include "inline.h"
@@ -22,7 +23,7 @@ INLINE float ambient_cone_sample(float2 u, float3 normal, float sine, float cosi
     const float radius_before = sqrt(in_frame.x * in_frame.x + in_frame.y * in_frame.y);
     const float scale = radius_before > 0.0f ? radius / radius_before : 0.0f;
     in_frame = (float3)(scale * in_frame.x, scale * in_frame.y, 1.0f - depth);
-    weight = 2.0f * in_frame.z / (1.0f + cosine);
+    weight = weight_of_uniform(in_frame.z, cosine);
   } else {
     in_frame = square_to_cosine_hemisphere(u);
     const float x = sine * in_frame.x, y = sine * in_frame.y;

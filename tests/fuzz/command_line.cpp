@@ -2,11 +2,12 @@
 #include <sstream>
 
 #include "app/commands.hpp"
-#include "app/progress.hpp"
 #include "app/options/render_options.hpp"
+#include "app/progress.hpp"
 #include "base/error.hpp"
-#include "readers.hpp"
 #include "picture/picture.hpp"
+#include "readers.hpp"
+#include "scene/scene_writer.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace nook::fuzz {

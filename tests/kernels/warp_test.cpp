@@ -214,8 +214,8 @@ TEST(WarpMutants, AreRejected) {
     EXPECT_GT(fit_to_oracle(product_warps(), m.judged, 1 << 18, 20260102).smallest(), 1e-4) << m.judged.name;
   }
   // The density's own mutant: an exponent off by one no longer integrates to 1.
-  Warps mutant(device(),
-               mutate(kernel_source("sample/warps.cl"), "INV_PI * (exponent + 1.0f)", "INV_PI * (exponent + 2.0f)"));
+  Warps mutant(device(), mutate(kernel_source("sample/warps.cl"), "INV_PI * (exponent + 1.0f)",
+                                "INV_PI * (exponent + 2.0f)"));
   vec3 pole(0, 0, 1);
   EXPECT_GT(
       mutant.pdf(Warp::cosine_power, {&pole, 1}, 10)[0] / oracle_pdf(Warp::cosine_power, dvec3(pole), 10),

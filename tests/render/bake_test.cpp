@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "mesh/ply.hpp"
-#include "support/nook_program.hpp"
 #include "points/vertex_points.hpp"
+#include "support/nook_program.hpp"
 
 namespace nook::test {
 namespace {

@@ -6,10 +6,10 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "support/expect_error.hpp"
 #include "mesh/obj_loader.hpp"
-#include "support/nook_program.hpp"
 #include "points/texture_points.hpp"
+#include "support/expect_error.hpp"
+#include "support/nook_program.hpp"
 
 namespace nook::test {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "base/error.hpp"
 #include "effects_geometry.hpp"
-#include "support/nook_program.hpp"
 #include "plan/scene_mesh.hpp"
 #include "scene/scene_toml.hpp"
+#include "support/nook_program.hpp"
 
 namespace nook::test {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "support/nook_program.hpp"
 #include "support/meshes.hpp"
+#include "support/nook_program.hpp"
 
 namespace nook::test {
 namespace {

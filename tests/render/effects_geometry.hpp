@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "bvh/bvh.hpp"
-#include "trace/occlusion_tracer.hpp"
 #include "points/points.hpp"
 #include "ssao_scenes.hpp"
 #include "support/kernels.hpp"
+#include "trace/occlusion_tracer.hpp"
 
 namespace nook::test {
 

@@ -172,8 +172,8 @@ TEST(Effects, PlanOpensNoDevice) {
   const auto scene = write_small_scene(folder, "scene.toml", renderer);
   const ProgramResult said = run_nook(folder, "plan '" + scene.string() + "'");
   EXPECT_EQ(said.code, 0);
-  for (const char* part :
-       {"Layers", "Passes", "stage/occlusion.cl", "-DEFFECT=0", "tree nodes", "Left out", "at most 6 912 rays"})
+  for (const char* part : {"Layers", "Passes", "stage/occlusion.cl", "-DEFFECT=0", "tree nodes", "Left out",
+                           "at most 6 912 rays"})
     EXPECT_NE(said.out.find(part), std::string::npos) << part << "\n" << said.out;
 }
 

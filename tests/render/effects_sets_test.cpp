@@ -4,15 +4,15 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "support/expect_error.hpp"
 #include "mesh/obj_loader.hpp"
-#include "support/nook_program.hpp"
-#include "trace/occlusion_tracer.hpp"
-#include "points/points.hpp"
 #include "plan/scene_mesh.hpp"
+#include "points/points.hpp"
 #include "points/vertex_points.hpp"
 #include "scene/scene_toml.hpp"
+#include "support/expect_error.hpp"
 #include "support/kernels.hpp"
+#include "support/nook_program.hpp"
+#include "trace/occlusion_tracer.hpp"
 
 namespace nook::test {
 namespace {

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "effects_geometry.hpp"
-#include "support/expect_error.hpp"
 #include "mesh/instance.hpp"
+#include "support/expect_error.hpp"
 
 namespace nook::test {
 namespace {

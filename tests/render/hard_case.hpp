@@ -8,9 +8,9 @@
 #include "bvh/bvh.hpp"
 #include "device/kernel_source.hpp"
 #include "hard_meshes.hpp"
-#include "trace/occlusion_tracer.hpp"
 #include "points/points.hpp"
 #include "support/kernels.hpp"
+#include "trace/occlusion_tracer.hpp"
 
 namespace nook::test {
 
@@ -31,7 +31,8 @@ class Case {
     scene.effects[0].sampling = Sampling::lobe;
     scene.effects[0].exponent = exponent;
   }
-  OcclusionTracer tracer(Traversal traversal, const OcclusionTracer::KernelSource& source = kernel_source) const {
+  OcclusionTracer tracer(Traversal traversal,
+                         const OcclusionTracer::KernelSource& source = kernel_source) const {
     return OcclusionTracer(device(), make_plan(scene, mesh_), mesh_, bvh_, source, traversal);
   }
   Film render(Traversal traversal, const OcclusionTracer::KernelSource& source = kernel_source) const {

@@ -115,8 +115,8 @@ TEST(ImageMutants, AreRejected) {
   const Mutation mutations[] = {
       {"rays start 1e-2 off the surface", EffectKind::ao, Sampling::cosine, "stage/primary.cl",
        "9.536743e-7f * greater(greater(", "1e-2f * greater(greater("},
-      {"flipped normal", EffectKind::ao, Sampling::cosine, "stage/primary.cl", "store3(out->normal, ray_direction(",
-       "store3(out->normal, -ray_direction("},
+      {"flipped normal", EffectKind::ao, Sampling::cosine, "stage/primary.cl",
+       "store3(out->normal, ray_direction(", "store3(out->normal, -ray_direction("},
       {"limit ignored", EffectKind::ao, Sampling::cosine, "stage/occlusion.cl",
        "p->max_distance - p->min_distance : p->max_distance;",
        "p->max_distance - p->min_distance : INFINITY;"},

@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "support/nook_program.hpp"
 #include "plan/scene_mesh.hpp"
+#include "support/nook_program.hpp"
 
 namespace nook::test {
 namespace {

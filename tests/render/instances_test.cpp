@@ -11,9 +11,9 @@
 
 #include "bvh/bvh.hpp"
 #include "mesh/instance.hpp"
-#include "trace/occlusion_tracer.hpp"
 #include "support/kernels.hpp"
 #include "support/meshes.hpp"
+#include "trace/occlusion_tracer.hpp"
 
 namespace nook::test {
 namespace {

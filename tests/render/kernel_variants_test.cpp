@@ -12,11 +12,11 @@
 #include "bvh/bvh.hpp"
 #include "image/image.hpp"
 #include "image/png.hpp"
-#include "trace/occlusion_tracer.hpp"
 #include "plan/scene_mesh.hpp"
 #include "scene/scene_toml.hpp"
 #include "support/kernels.hpp"
 #include "support/temporary_folder.hpp"
+#include "trace/occlusion_tracer.hpp"
 
 namespace nook::test {
 namespace {

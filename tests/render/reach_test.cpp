@@ -5,17 +5,17 @@
 #include <cmath>
 #include <numeric>
 
+#include "adaptive/adaptive.hpp"
 #include "bvh/bvh.hpp"
 #include "effects_geometry.hpp"
 #include "hard_meshes.hpp"
 #include "mesh/corner_order.hpp"
-#include "adaptive/adaptive.hpp"
-#include "trace/occlusion_tracer.hpp"
 #include "points/vertex_points.hpp"
 #include "scene/names.hpp"
 #include "support/kernels.hpp"
 #include "support/meshes.hpp"
 #include "support/mutants.hpp"
+#include "trace/occlusion_tracer.hpp"
 
 namespace nook::test {
 namespace {
@@ -80,8 +80,8 @@ class Asked {
 
  private:
   template <class Work>
-  Traced traced(const Scene& scene, bool reach, Traversal traversal, const OcclusionTracer::KernelSource& source,
-                const Work& work) const {
+  Traced traced(const Scene& scene, bool reach, Traversal traversal,
+                const OcclusionTracer::KernelSource& source, const Work& work) const {
     Plan plan = make_plan(scene, mesh_);
     plan.effects[0].reach = reach;
     OcclusionTracer tracer(device(), plan, mesh_, bvh_, source, traversal);
@@ -144,8 +144,9 @@ TEST(Reach, ATiltedFloorTracesAlmostNothing) {
   const Asked floor(floor_of(12, -0.3f, vec3(3, 1, 2)));
   const auto patient = [&](const std::string& file) {
     const std::string text = kernel_source(file);
-    return file == "stage/occlusion.cl" ? mutate(text, "#define REACH_VISITS 12u", "#define REACH_VISITS 400u")
-                                  : text;
+    return file == "stage/occlusion.cl"
+               ? mutate(text, "#define REACH_VISITS 12u", "#define REACH_VISITS 400u")
+               : text;
   };
   for (const auto& [spp, directions] : ways) {
     SCOPED_TRACE(testing::Message() << spp << " x " << directions);

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "support/expect_error.hpp"
 #include "ssao/ssao.hpp"
 #include "ssao_scenes.hpp"
+#include "support/expect_error.hpp"
 
 namespace nook {
 namespace {

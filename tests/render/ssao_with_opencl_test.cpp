@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "trace/occlusion_tracer.hpp"
 #include "ssao/ssao.hpp"
 #include "ssao_scenes.hpp"
+#include "trace/occlusion_tracer.hpp"
 
 namespace nook {
 namespace {

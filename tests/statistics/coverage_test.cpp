@@ -11,10 +11,10 @@
 #include <ctime>
 #include <thread>
 
-#include "bvh/bvh.hpp"
-#include "mesh/obj_loader.hpp"
 #include "adaptive/adaptive.hpp"
 #include "adaptive/forecast.hpp"
+#include "bvh/bvh.hpp"
+#include "mesh/obj_loader.hpp"
 #include "scene/names.hpp"
 #include "support/ceiling.hpp"
 #include "support/kernels.hpp"

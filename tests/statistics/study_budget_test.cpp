@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "trace/deadline.hpp"
 #include "support/temporary_folder.hpp"
+#include "trace/deadline.hpp"
 
 namespace nook {
 namespace {

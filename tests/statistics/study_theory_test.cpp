@@ -79,8 +79,8 @@ double mean_over_visible(double angle, double below, F f) {
   return sum * below / steps / steps;
 }
 
-// E[w² V] - RO² with the weights of kernels/effect/reflection.cl and the densities of kernels/sample/warp.cl, nothing
-// cancelled.
+// E[w² V] - RO² with the weights of kernels/effect/reflection.cl and the densities of kernels/sample/warp.cl,
+// nothing cancelled.
 std::map<Sampling, double> reflection_variances(double n, double angle, double below) {
   const double pi = std::numbers::pi;
   const double c = n * n * n / (1 + n * n * n);

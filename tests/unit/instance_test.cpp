@@ -5,12 +5,12 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "support/expect_error.hpp"
 #include "mesh/mesh_analysis.hpp"
-#include "support/nook_program.hpp"
 #include "plan/plan.hpp"
 #include "plan/scene_mesh.hpp"
 #include "scene/scene_toml.hpp"
+#include "support/expect_error.hpp"
+#include "support/nook_program.hpp"
 
 namespace nook::test {
 namespace {
@@ -105,8 +105,8 @@ TEST(Instances, BadOnesSayWhere) {
   refuse("[[instance]]\nobjfile = \"none.obj\"\n", "none.obj: no such file");
   write_bytes(folder / "big.obj", "v 0 0 0\nv 1e20 0 0\nv 0 1e20 0\nf 1 2 3\n");
   refuse("[[instance]]\nobjfile = \"big.obj\"\nscale = 1e30\n", "beyond the range of floats");
-  refuse("[input]\nobjfile = []\n", "objfile must be a string, or a list of strings");
-  refuse("[input]\nobjfile = [3]\n", "objfile must be a string, or a list of strings");
+  refuse("[input]\nobjfile = []\n", "objfile must be the name of a mesh, or a list of names");
+  refuse("[input]\nobjfile = [3]\n", "objfile must be the name of a mesh, or a list of names");
   refuse("instance = 3\n[input]\nobjfile = \"one.obj\"\n", "instances are tables: [[instance]]");
   refuse("[input]\nobjfile = \"one.obj\"\n[ground]\nheight = \"low\"\n",
          "height must be a number, or \"auto\"");

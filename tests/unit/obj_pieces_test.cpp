@@ -10,9 +10,10 @@
 #include <regex>
 #include <sstream>
 
-#include "support/expect_error.hpp"
 #include "mesh/corner_order.hpp"
+#include "mesh/face_cut.hpp"
 #include "mesh/obj_loader.hpp"
+#include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace nook {
@@ -91,8 +92,19 @@ class RandomObj {
 
 constexpr const char* library = "newmtl green\nNs 5\nmap_d leaf.png\nnewmtl red\nNs 30\nKs 1 1 1\n";
 
-// The mesh that tinyobjloader reads in one go (a number that is not finite as 0), without the triangles of
-// vertices that are not finite; its triangles turned as load_obj turns them.
+// The triangles of a face: as FaceCutter has them, a fan if a corner is not finite.
+std::vector<FaceCutter::Triangle> cut(const std::vector<dvec3>& corners) {
+  std::vector<FaceCutter::Triangle> triangles;
+  if (std::all_of(corners.begin(), corners.end(), [](const dvec3& c) { return finite(vec3(c)); })) {
+    FaceCutter().cut(corners, triangles);
+    return triangles;
+  }
+  for (std::uint32_t k = 1; k + 1 < corners.size(); ++k) triangles.push_back({0, k, k + 1});
+  return triangles;
+}
+
+// The mesh whose faces tinyobjloader reads in one go (a number that is not finite as 0), cut, without the
+// triangles of vertices that are not finite; its triangles turned as load_obj turns them.
 TriangleMesh by_tinyobjloader(const std::filesystem::path& path, const std::vector<std::size_t>& non_finite) {
   tinyobj::attrib_t attrib;
   std::vector<tinyobj::shape_t> shapes;
@@ -100,7 +112,7 @@ TriangleMesh by_tinyobjloader(const std::filesystem::path& path, const std::vect
   std::string warnings, errors;
   const std::string folder = path.parent_path().string() + "/";
   EXPECT_TRUE(
-      tinyobj::LoadObj(&attrib, &shapes, &materials, &warnings, &errors, path.c_str(), folder.c_str()))
+      tinyobj::LoadObj(&attrib, &shapes, &materials, &warnings, &errors, path.c_str(), folder.c_str(), false))
       << errors;
   TriangleMesh mesh;
   const auto triples = [](const std::vector<float>& values) {
@@ -119,29 +131,40 @@ TriangleMesh by_tinyobjloader(const std::filesystem::path& path, const std::vect
     if (shape.mesh.indices.empty()) continue;
     const auto [group, fresh] = group_of_name.try_emplace(shape.name, std::uint32_t(mesh.groups.size()));
     if (fresh) mesh.groups.push_back(shape.name);
-    for (std::size_t i = 0; i < shape.mesh.indices.size(); i += 3) {
-      std::array<std::uint32_t, 3> position, normal, uv;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const tinyobj::index_t& corner = shape.mesh.indices[i + k];
-        position[k] = std::uint32_t(corner.vertex_index);
-        normal[k] = std::uint32_t(corner.normal_index);
-        uv[k] = std::uint32_t(corner.texcoord_index);
+    std::size_t first = 0;
+    for (std::size_t face = 0; face < shape.mesh.num_face_vertices.size(); ++face) {
+      const std::size_t size = shape.mesh.num_face_vertices[face];
+      const tinyobj::index_t* corners = &shape.mesh.indices[first];
+      first += size;
+      if (size < 3) continue;
+      std::vector<dvec3> places;
+      for (std::size_t k = 0; k < size; ++k)
+        places.emplace_back(mesh.positions[std::size_t(corners[k].vertex_index)]);
+      for (const FaceCutter::Triangle& triangle : cut(places)) {
+        std::array<std::uint32_t, 3> position, normal, uv;
+        for (std::size_t k = 0; k < 3; ++k) {
+          position[k] = std::uint32_t(corners[triangle[k]].vertex_index);
+          normal[k] = std::uint32_t(corners[triangle[k]].normal_index);
+          uv[k] = std::uint32_t(corners[triangle[k]].texcoord_index);
+        }
+        ++mesh.report.triangles_read;
+        if (std::any_of(position.begin(), position.end(),
+                        [&](auto p) { return !finite(mesh.positions[p]); })) {
+          ++mesh.report.non_finite_dropped;
+          continue;
+        }
+        mesh.triangles.push_back(position);
+        for (const std::uint32_t p : position) mesh.bounds.add(mesh.positions[p]);
+        mesh.triangle_normals.push_back(normal);
+        mesh.triangle_uvs.push_back(uv);
+        mesh.triangle_group.push_back(group->second);
+        mesh.triangle_material.push_back(std::uint32_t(shape.mesh.material_ids[face]));
       }
-      ++mesh.report.triangles_read;
-      if (std::any_of(position.begin(), position.end(), [&](auto p) { return !finite(mesh.positions[p]); })) {
-        ++mesh.report.non_finite_dropped;
-        continue;
-      }
-      mesh.triangles.push_back(position);
-      for (const std::uint32_t p : position) mesh.bounds.add(mesh.positions[p]);
-      mesh.triangle_normals.push_back(normal);
-      mesh.triangle_uvs.push_back(uv);
-      mesh.triangle_group.push_back(group->second);
-      mesh.triangle_material.push_back(std::uint32_t(shape.mesh.material_ids[i / 3]));
     }
   }
   for (const tinyobj::material_t& m : materials)
-    mesh.materials.push_back({m.name, m.shininess, m.alpha_texname.empty() ? "" : folder + m.alpha_texname});
+    mesh.materials.push_back(
+        {m.name, m.shininess, m.alpha_texname.empty() ? "" : folder + m.alpha_texname, {}});
   end_with_longest_edges(mesh);
   return mesh;
 }
@@ -219,10 +242,9 @@ TEST(ObjPieces, FaultsHaveTheirLineInTheWholeFile) {
       {"f 1 2 3.5", "face index '3.5' is not an integer"},
       {"f 1 /2 3", "face index '' is not an integer"},
       {"f 1 2 3# 4", "face index '3#' is not an integer"},
-      {"f 1/1/1 2/ 3/1/1", "a face's corner '2/' ends in a slash"},
-      {"f 1 2// 3", "a face's corner '2//' ends in a slash"},
       {"f 1 2 - 3", "face index '-' is not an integer"},
       {"f 1 2 3/1/1/1", "a face's corner '3/1/1/1' has more than three indices"},
+      {"f 1 2 3///", "a face's corner '3///' has more than three indices"},
       {"f 1 2 12345678901234567890", "face index 12345678901234567890 is out of range"},
       {"f 1 2 +-3", "face index '+-3' is not an integer"},
       {"v 0 zero null", "'zero' is not a number"},

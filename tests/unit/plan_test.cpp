@@ -7,13 +7,13 @@
 #include <cmath>
 
 #include "bvh/bvh.hpp"
-#include "support/expect_error.hpp"
 #include "mesh/obj_loader.hpp"
-#include "support/nook_program.hpp"
 #include "plan/kernel_plan.hpp"
 #include "plan/plan_report.hpp"
-#include "scene/scene_toml.hpp"
 #include "plan/scene_camera.hpp"
+#include "scene/scene_toml.hpp"
+#include "support/expect_error.hpp"
+#include "support/nook_program.hpp"
 
 namespace nook {
 namespace {

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <png.h>
 
-#include "support/expect_error.hpp"
 #include "image/png.hpp"
+#include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace nook {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "image/srgb.hpp"
 #include "support/expect_error.hpp"
 #include "support/file_size_limit.hpp"
-#include "image/srgb.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace nook {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "support/expect_error.hpp"
 #include "ssao/gl_context.hpp"
 #include "ssao/plan.hpp"
+#include "support/expect_error.hpp"
 
 namespace nook {
 namespace {

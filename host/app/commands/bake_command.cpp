@@ -7,6 +7,7 @@
 #include "app/commands.hpp"
 #include "app/commands/bake_texture.hpp"
 #include "app/interrupt.hpp"
+#include "app/options/loading.hpp"
 #include "app/options/scene_options.hpp"
 #include "app/progress.hpp"
 #include "base/error.hpp"
@@ -45,13 +46,8 @@ Scene bake_scene(const BakeOptions& options) {
   return scene;
 }
 
-// "near." -> "near"; without a name the effect's own.
-std::string property_name(const EffectPlan& effect) {
-  return effect.layer.empty() ? "ao" : effect.layer.substr(0, effect.layer.size() - 1);
-}
-
 std::vector<VertexProperty> properties_of(const EffectPlan& effect, const Film& film) {
-  const std::string name = property_name(effect);
+  const std::string name = effect.label();
   std::vector<VertexProperty> made;
   const auto add = [&](const std::string& property, auto get) {
     std::vector<float> values(film.pixels());
@@ -101,6 +97,7 @@ int bake(const BakeOptions& options) {
   SceneRenderer renderer(
       scene, [&] { return options.device.open(); }, std::move(made));
   const TriangleMesh& mesh = renderer.mesh();
+  warn_of(mesh);
   const Plan& plan = renderer.plan();
   for (const EffectPlan& effect : plan.effects)
     if (effect.effect.view_space || effect.effect.side == Side::viewer)

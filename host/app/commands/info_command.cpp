@@ -5,27 +5,16 @@
 #include <cmath>
 
 #include "app/commands.hpp"
+#include "app/options/loading.hpp"
 #include "app/options/scene_options.hpp"
 #include "mesh/mesh_analysis.hpp"
 #include "plan/plan.hpp"
-#include "plan/scene_mesh.hpp"
+#include "scene/effect_keys.hpp"
+#include "scene/layer_names.hpp"
 #include "scene/names.hpp"
 
 namespace nook {
 namespace {
-
-// What a flag may have changed of an effect.
-std::string settings_of(const Effect& effect) {
-  if (effect.kind == EffectKind::ssao)
-    return fmt::format("{}, radius {}", name_of(effect.ssao.method),
-                       effect.ssao.radius > 0 ? fmt::format("{:g}", effect.ssao.radius) : "auto");
-  if (is_surface(effect.kind)) return "of the surface";
-  std::string text = fmt::format("{} sampling", name_of(effect.sampling));
-  if (effect.kind == EffectKind::ro)
-    text += effect.exponent_of_material ? ", exponent of the material"
-                                        : fmt::format(", exponent {:g}", effect.exponent);
-  return text;
-}
 
 void print_picture(const Scene& scene, bool spp_given) {
   const PixelRect window = scene.crop.value_or(PixelRect{0, 0, scene.width, scene.height});
@@ -40,15 +29,17 @@ void print_picture(const Scene& scene, bool spp_given) {
                    : fmt::format("{} camera rays a pixel", scene.spp),
                scene.directions == 1 ? "1 direction" : fmt::format("{} directions", scene.directions),
                name_of(scene.sampler), scene.seed);
-  for (const Effect& effect : scene.effects)
-    fmt::print("effect            {}: {}\n", name_of(effect.kind), settings_of(effect));
+  const std::vector<std::string> prefixes = layer_prefixes(scene);
+  for (std::size_t e = 0; e < scene.effects.size(); ++e)
+    fmt::print("effect            {}: {}\n", effect_label(scene.effects[e].kind, prefixes[e]),
+               settings_text(scene.effects[e]));
 }
 
 int print_info(const SceneOptions& options) {
   const Scene scene = options.load();
   options.check_applicable(scene);
-  const TriangleMesh mesh = load_scene_mesh(
-      scene, {.normals = true, .uvs = false, .materials = true, .groups = true}, scene.instancing);
+  const TriangleMesh mesh = load_and_warn(
+      scene, {.normals = true, .uvs = true, .materials = true, .groups = true}, scene.instancing);
   const MeshAnalysis analysis = analyse(mesh);
   const vec3 lo = mesh.bounds.lo, hi = mesh.bounds.hi, center = mesh.bounds.center();
   fmt::print("mesh              {}\n", scene.mesh_file.string());
@@ -70,16 +61,18 @@ int print_info(const SceneOptions& options) {
   fmt::print("zero-area         {}\n", analysis.zero_area);
   fmt::print("duplicates        {}\n", analysis.duplicates);
   fmt::print("NaN or infinite   {} triangles dropped\n", mesh.report.non_finite_dropped);
-  for (const Effect& effect : scene.effects) {
+  const std::vector<std::string> prefixes = layer_prefixes(scene);
+  for (std::size_t e = 0; e < scene.effects.size(); ++e) {
+    const Effect& effect = scene.effects[e];
     if (!is_traced(effect.kind)) continue;
     const float limit = resolve_distance(effect, mesh.subject_bounds(), scene.compat_tinyrender);
     fmt::print("distance limit    {} for {} ({})\n", std::isinf(limit) ? "none" : fmt::format("{:g}", limit),
-               name_of(effect.kind),
+               effect_label(effect.kind, prefixes[e]),
                effect.max_distance.kind == DistanceLimit::Kind::automatic && scene.compat_tinyrender
                    ? "compat = tinyrender"
                    : to_string(effect.max_distance));
   }
-  print_picture(scene, options.spp.has_value());
+  print_picture(scene, options.has("--spp"));
   return 0;
 }
 

@@ -83,6 +83,9 @@ int merge(const MergeOptions& options) {
   place_crop(image, part.identity);
   for (const auto& [name, value] : count_metadata(part.counts, part.render_seconds))
     image.metadata[name] = value;
+  if (!missing.empty() || options.any_device)
+    image.metadata["nook/not_repeatable"] =
+        missing.empty() ? "its parts may be from different devices" : "it is of parts that lack samples";
   write_exr(options.output, image);
   if (options.png) write_png(fs::path(options.output).replace_extension(".png"), image);
   if (part.counts.rejected && !options.quiet)

@@ -2,15 +2,15 @@
 // no device.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/options/loading.hpp"
 #include "app/options/scene_options.hpp"
 #include "bvh/bvh.hpp"
 #include "plan/kernel_arguments.hpp"
 #include "plan/plan_report.hpp"
-#include "plan/scene_mesh.hpp"
+#include "scene/effect_keys.hpp"
 #include "scene/names.hpp"
 
 namespace nook {
@@ -34,31 +34,13 @@ std::string layer_text(const LayerPlan& layer) {
   return layer.prefix + (layer.kind == EffectKind::depth ? "Z" : is_surface(layer.kind) ? "X,Y,Z" : "R,G,B");
 }
 
-std::string settings_text(const EffectPlan& effect) {
-  std::string text =
-      fmt::format("{}, distance {}", name_of(effect.effect.sampling),
-                  std::isinf(effect.max_distance) ? "unlimited" : fmt::format("{:.6g}", effect.max_distance));
-  const Effect& e = effect.effect;
-  if (e.falloff != Falloff::none) text += fmt::format(", {} falloff", name_of(e.falloff));
-  if (e.min_distance > 0) text += fmt::format(", from {:g} on", e.min_distance);
-  if (e.kind != EffectKind::ro && e.cone_angle < 90)
-    text += fmt::format(", cone of {:g} degrees", e.cone_angle);
-  if (e.only_self) text += ", occluded by its own group";
-  if (!e.occluders.empty()) text += fmt::format(", occluders {}", fmt::join(e.occluders, "+"));
-  if (!e.receivers.empty()) text += fmt::format(", receivers {}", fmt::join(e.receivers, "+"));
-  if (e.side != Side::normal) text += fmt::format(", side {}", name_of(e.side));
-  if (e.kind == EffectKind::ro)
-    text += e.exponent_of_material ? ", exponent of the material" : fmt::format(", exponent {}", e.exponent);
-  return text;
-}
-
 void print_layers(const Plan& plan) {
   fmt::print("\nLayers\n");
   auto traced = plan.effects.begin();
   for (const LayerPlan& layer : plan.layers) {
     const bool settings = layer.kind != EffectKind::ssao && !is_surface(layer.kind);
     fmt::print("  {:<24} {:<9} {}\n", layer_text(layer), name_of(layer.kind),
-               settings ? settings_text(*traced++) : "");
+               settings ? settings_text((traced++)->resolved()) : "");
   }
 }
 
@@ -104,7 +86,7 @@ void print_json(const Plan& plan, const TriangleMesh& mesh, const PlanReport& re
   for (const LayerPlan& layer : plan.layers) {
     nlohmann::json entry = {{"channels", layer_text(layer)}, {"type", name_of(layer.kind)}};
     if (layer.kind != EffectKind::ssao && !is_surface(layer.kind))
-      entry["settings"] = settings_text(*traced++);
+      entry["settings"] = settings_text((traced++)->resolved());
     json["layers"].push_back(entry);
   }
   for (const PassReport& pass : report.passes)
@@ -120,7 +102,7 @@ void print_json(const Plan& plan, const TriangleMesh& mesh, const PlanReport& re
 
 int show_plan(const PlanOptions& options) {
   const Scene scene = options.scene.load();
-  const TriangleMesh mesh = load_scene_mesh(scene, needed_attributes(scene), scene.instancing);
+  const TriangleMesh mesh = load_and_warn(scene, needed_attributes(scene), scene.instancing);
   const Plan plan = make_plan(scene, mesh);
   std::optional<Bvh> bvh;
   if (plan.needs_opencl()) bvh = build_bvh(mesh);  // of 16 children a node: no device is asked

@@ -7,11 +7,12 @@
 #include <limits>
 
 #include "app/commands.hpp"
+#include "app/options/loading.hpp"
 #include "app/options/scene_options.hpp"
 #include "base/error.hpp"
 #include "points/points.hpp"
 #include "render/scene_renderer.hpp"
-#include "scene/names.hpp"
+#include "scene/effect_keys.hpp"
 
 namespace nook {
 namespace {
@@ -30,18 +31,15 @@ Scene probe_scene(const ProbeOptions& options) {
   if (!options.effect.empty()) {
     const EffectKind kind = options.effect == "ro" ? EffectKind::ro : EffectKind::ao;
     if (kind != effect.kind) {
-      const bool limit_given = options.scene.max_distance.has_value();
+      const Effect standard = default_effect(kind);
       effect.kind = kind;
-      if (!options.scene.sampling)
-        effect.sampling = kind == EffectKind::ro ? Sampling::lobe : Sampling::cosine;
-      if (!limit_given) effect.max_distance = {};
+      effect.sampling = standard.sampling;
+      effect.max_distance = standard.max_distance;
+      options.scene.apply(effect);
     }
   }
   if (effect.kind != EffectKind::ao && effect.kind != EffectKind::ro)
     throw Error(ExitCode::usage, "--effect: a probe needs ao or ro");
-  if (effect.kind == EffectKind::ao &&
-      (effect.sampling == Sampling::lobe || effect.sampling == Sampling::mixture))
-    throw Error(ExitCode::usage, fmt::format("--sampling: {} needs --effect ro", name_of(effect.sampling)));
   if (effect.kind == EffectKind::ro && effect.exponent_of_material)
     throw Error(ExitCode::usage, "points have no material: --exponent gives the one to use");
   if (effect.only_self)
@@ -65,6 +63,7 @@ int probe(const ProbeOptions& options) {
   made.attributes = attributes;
   SceneRenderer renderer(
       scene, [&] { return options.device.open(); }, std::move(made));
+  warn_of(renderer.mesh());
   const bool needs_view = scene.effects.front().kind == EffectKind::ro;
   const Bounds3& bounds = renderer.mesh().bounds;
   const std::vector<SurfacePoint> points = options.points == "-"

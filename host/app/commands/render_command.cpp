@@ -9,6 +9,8 @@
 #include "app/commands/render_report.hpp"
 #include "app/commands/turntable.hpp"
 #include "app/interrupt.hpp"
+#include "app/options/loading.hpp"
+#include "app/options/picture_scene.hpp"
 #include "app/options/render_options.hpp"
 #include "app/progress.hpp"
 #include "base/error.hpp"
@@ -16,11 +18,11 @@
 #include "base/stopwatch.hpp"
 #include "image/exr.hpp"
 #include "image/png.hpp"
-#include "mesh/mesh_analysis.hpp"
 #include "plan/scene_camera.hpp"
 #include "render/picture_run.hpp"
 #include "render/scene_renderer.hpp"
 #include "report/run_record.hpp"
+#include "scene/scene_writer.hpp"
 #include "ssao/gl_context.hpp"
 #include "trace/deadline.hpp"
 
@@ -34,14 +36,32 @@ struct Job {
   const RenderOptions& options;
   double start = Deadline::steady_seconds();
   Stopwatch whole;
-  AovRequest aovs;
+  PictureOrigin origin;  // where a picture is the scene
+  std::vector<std::string> aovs;
   ProgressMode progress = ProgressMode::none;
   std::optional<Share> shard;
   fs::path part_file, output;
 };
 
+// What a picture was made of. With overrides its scene makes another picture.
+PictureOrigin origin_of(const RenderOptions& options) {
+  if (!is_picture(options.scene.scene)) return {};
+  PictureOrigin origin = origin_of_picture(options.scene.scene);
+  const TargetOptions& target = options.target;
+  origin.again = options.scene.given().empty() && !options.scene.size && options.scene.crop.empty() &&
+                 !target.error && !target.seconds && !target.confidence && !target.min_spp &&
+                 !target.max_spp && options.turntable == 0;
+  if (origin.again && !origin.why_not.empty())
+    throw Error(ExitCode::scene,
+                fmt::format("{}: cannot be made again: {}; --print-config prints its scene, --spp renders it",
+                            options.scene.scene.string(), origin.why_not));
+  return origin;
+}
+
 Job checked(Scene& scene, const RenderOptions& options) {
-  Job job{options, Deadline::steady_seconds(), {}, parse_aovs(options.aovs), {}, {}, {}, {}};
+  Job job{options, Deadline::steady_seconds(), {}, origin_of(options), options.aovs, {}, {}, {}, {}};
+  if (job.aovs.empty()) job.aovs = job.origin.aovs;
+  parse_aovs(job.aovs);
   job.progress = parse_progress(options.progress);
   if (options.quiet) job.progress = ProgressMode::none;
   if (!options.stats.empty()) {
@@ -49,7 +69,7 @@ Job checked(Scene& scene, const RenderOptions& options) {
     check_writable(options.stats);
   }
   scene.stop = options.check(scene);
-  check_memory(scene, options.aovs.size(), scene.stop.error ? largest_rule_bytes : 0);
+  check_memory(scene, job.aovs.size(), scene.stop.error ? largest_rule_bytes : 0);
   job.shard = options.checkpoints.share();
   job.part_file = options.checkpoints.file(options.scene.scene, options.output);
   if (!job.part_file.empty()) check_writable(job.part_file);
@@ -59,8 +79,9 @@ Job checked(Scene& scene, const RenderOptions& options) {
   return job;
 }
 
-SceneRenderer make_renderer(const Scene& scene, const RenderOptions& options) {
-  const AovRequest aovs = parse_aovs(options.aovs);
+SceneRenderer make_renderer(const Scene& scene, const RenderOptions& options,
+                            const std::vector<std::string>& channels) {
+  const AovRequest aovs = parse_aovs(channels);
   const bool alone = is_ssao_alone(scene);
   options.device.prepare(!alone);
   if (alone) limit_gl_threads(options.device.threads);
@@ -68,15 +89,20 @@ SceneRenderer make_renderer(const Scene& scene, const RenderOptions& options) {
   made.threads = options.device.threads;
   made.surface = aovs.needs_surface();
   made.attributes = needed_attributes(scene, alone ? aovs.normal : made.surface);
-  return SceneRenderer(
+  SceneRenderer renderer(
       scene, [device = options.device] { return device.open(); }, std::move(made));
+  warn_of(renderer.mesh());
+  return renderer;
 }
 
 // What a part says of its run. It holds the samples before the denoiser, which `nook merge` does not run.
-FilmPart::Texts as_texts(const std::map<std::string, std::string>& metadata) {
-  FilmPart::Texts texts(metadata.begin(), metadata.end());
-  std::erase_if(texts, [](const auto& text) { return text.first == "nook/denoised"; });
-  return texts;
+FilmPart::Texts as_texts(const RunRecord& record, const Scene& scene) {
+  std::map<std::string, std::string> metadata = record.metadata();
+  Scene undenoised = scene;
+  undenoised.denoise = false;
+  metadata["nook/scene"] = scene_attribute(undenoised);
+  metadata.erase("nook/denoised");
+  return {metadata.begin(), metadata.end()};
 }
 
 // What the renderer and the run have counted.
@@ -85,6 +111,7 @@ void record_counts(SceneRenderer& renderer, const PictureRun& run, RunRecord& re
   record.seconds.render = run.render_seconds();
   record.error = run.error();
   record.complete = run.complete();
+  record.not_repeatable = run.why_not_repeatable();
   if (!record.plan.needs_opencl()) return;
   const OcclusionTracer& tracer = renderer.tracer();
   record.launches = tracer.counters().launches;
@@ -137,28 +164,29 @@ int render(SceneRenderer& renderer, const Job& job) {
   record.plan = renderer.plan();
   record.triangles = renderer.mesh().scene_triangles();
   record.scene_hash = scene_hash(renderer.scene());
-  record.mesh_hash = mesh_hash(renderer.mesh());
+  record.mesh_hash = renderer.mesh_hash();
+  record_scene(renderer.scene(), job.aovs, job.output, record);
+  check_mesh(renderer.scene(), job.origin.mesh_hash, record.mesh_hash);
   if (record.plan.needs_opencl()) get_ready(renderer, job, record);
 
   PictureRequest request;
-  request.aovs = options.aovs;
+  request.aovs = job.aovs;
   request.share = job.shard;
   request.part_file = job.part_file;
   request.seconds_between_parts = options.checkpoints.every.value_or(60);
   request.resume = options.checkpoints.resume;
   request.start = job.start;
   request.frames = options.frames.value_or(1);
-  request.scene_hash = record.scene_hash;
-  request.mesh_hash = record.mesh_hash;
+  if (job.origin.again) request.camera_rays = job.origin.camera_rays;
   PictureRun run(renderer, std::move(request));
-  run.set_metadata(as_texts(record.metadata()));
+  run.set_metadata(as_texts(record, renderer.scene()));
   record.seconds.before_first_ray = job.whole.seconds();
 
   if (!record.plan.effects.empty()) catch_interrupts();
   TerminalObserver observer(job.progress);
   run.take(observer);
   record_counts(renderer, run, record);
-  run.set_metadata(as_texts(record.metadata()));
+  run.set_metadata(as_texts(record, renderer.scene()));
   run.keep();
   Image image;
   if (!job.shard) {
@@ -204,7 +232,7 @@ int render_turntable(const Scene& scene, const RenderOptions& options) {
   }
   Scene still = scene;
   still.stop = options.check(scene);
-  SceneRenderer renderer = make_renderer(still, options);
+  SceneRenderer renderer = make_renderer(still, options, options.aovs);
   const Camera camera = resolve_camera(scene, renderer.mesh().subject_bounds());
   int worst = 0;
   for (unsigned i = 0; i < options.turntable; ++i) {
@@ -229,7 +257,7 @@ int render(const RenderOptions& options) {
   }
   if (options.turntable > 0) return render_turntable(scene, options);
   const Job job = checked(scene, options);
-  SceneRenderer renderer = make_renderer(scene, options);
+  SceneRenderer renderer = make_renderer(scene, options, job.aovs);
   return options.target.dry_run ? forecast_only(renderer, job) : render(renderer, job);
 }
 

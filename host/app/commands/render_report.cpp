@@ -3,18 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/error.hpp"
+#include "scene/effect_keys.hpp"
 #include "scene/names.hpp"
 
 namespace nook {
 namespace {
-
-std::string distance_text(const EffectPlan& effect) {
-  return std::isinf(effect.max_distance) ? "unlimited"
-                                         : fmt::format("{:.6g} world units", effect.max_distance);
-}
 
 std::string samples_text(const Plan& plan, const StopTarget& stop) {
   if (!stop.any()) return fmt::format("{} spp", plan.spp);
@@ -28,10 +23,9 @@ std::string samples_text(const Plan& plan, const StopTarget& stop) {
 void announce(const RunRecord& record, const StopTarget& stop) {
   const Plan& plan = record.plan;
   for (const EffectPlan& effect : plan.effects)
-    fmt::print(stderr, "{} {}x{}, {} triangles, {} x {} directions, {}, {}, distance {}, {}\n",
-               name_of(effect.effect.kind), plan.window.width(), plan.window.height(), record.triangles,
-               samples_text(plan, stop), plan.directions, name_of(effect.effect.sampling),
-               name_of(plan.sampler), distance_text(effect), record.device.name);
+    fmt::print(stderr, "{} {}x{}, {} triangles, {} x {} directions, {}, {}, {}\n", effect.label(),
+               plan.window.width(), plan.window.height(), record.triangles, samples_text(plan, stop),
+               plan.directions, name_of(plan.sampler), settings_text(effect.resolved()), record.device.name);
 }
 
 void announce_end(const RunRecord& r, const std::filesystem::path& output) {
@@ -64,10 +58,10 @@ int announce_error(const ErrorRecord& error, bool quiet) {
 
 void announce_ssao(const RunRecord& record) {
   for (const SsaoRecord& drawn : record.ssao) {
-    fmt::print(stderr,
-               "ssao {}x{}, {} triangles, {}, radius {:.6g} world units: {:.1f} ms a frame, {:.1f} fps (",
-               record.plan.width, record.plan.height, record.triangles, name_of(drawn.plan.method),
-               drawn.plan.radius, 1e3 * drawn.seconds_per_frame, 1 / std::max(drawn.seconds_per_frame, 1e-9));
+    fmt::print(
+        stderr, "{} {}x{}, {} triangles, {}, radius {:.6g} world units: {:.1f} ms a frame, {:.1f} fps (",
+        drawn.name, record.plan.width, record.plan.height, record.triangles, name_of(drawn.plan.method),
+        drawn.plan.radius, 1e3 * drawn.seconds_per_frame, 1 / std::max(drawn.seconds_per_frame, 1e-9));
     for (std::size_t i = 0; i < drawn.passes.size(); ++i)
       fmt::print(stderr, "{}{} {:.1f}", i == 0 ? "" : ", ", drawn.passes[i].pass,
                  1e3 * drawn.passes[i].seconds);

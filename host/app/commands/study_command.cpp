@@ -8,6 +8,7 @@
 
 #include "app/commands.hpp"
 #include "app/interrupt.hpp"
+#include "app/options/loading.hpp"
 #include "app/options/scene_options.hpp"
 #include "base/error.hpp"
 #include "base/version.hpp"
@@ -15,7 +16,9 @@
 #include "mesh/mesh_analysis.hpp"
 #include "render/scene_renderer.hpp"
 #include "report/study_page.hpp"
+#include "scene/effect_keys.hpp"
 #include "scene/names.hpp"
+#include "scene/scene_writer.hpp"
 
 namespace nook {
 namespace {
@@ -128,9 +131,7 @@ StudyFacts facts_of(const StudyOptions& options, const Scene& scene, const Study
     command += fmt::format(" --samplings {}", fmt::join(options.samplings, ","));
   if (options.scene.size) command += " --size " + *options.scene.size;
   return {{"scene", options.scene.scene.filename().string()},
-          {"effect",
-           fmt::format("{}, distance {}{}", name_of(effect.kind), distance_text(study.effect()),
-                       effect.kind == EffectKind::ro ? fmt::format(", exponent {}", effect.exponent) : "")},
+          {"effect", fmt::format("{}: {}", study.effect().label(), settings_text(study.effect().resolved()))},
           {"size", fmt::format("{}x{}", study.width(), study.height())},
           {"screen-space radius", std::isinf(study.effect().max_distance) || effect.kind == EffectKind::ro
                                       ? "no screen-space methods: the effect has no radius"
@@ -173,6 +174,7 @@ int study(const StudyOptions& options) {
       scene, [&] { return options.device.open(); }, std::move(prepared));
   renderer.expect_rays(std::numeric_limits<double>::infinity());  // a study's are many
   const TriangleMesh& mesh = renderer.mesh();
+  warn_of(mesh);
   const Device& device = renderer.device();
   const Bvh& bvh = renderer.tree();
   catch_interrupts();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/options/key_flags.hpp"
 #include "base/error.hpp"
 #include "base/memory.hpp"
 #include "scene/names.hpp"
@@ -51,8 +52,7 @@ void RenderOptions::add_to(CLI::App& command) {
   command.add_option("--stats", stats, "Write the run record as JSON");
   command.add_flag("--png,!--no-png", png,
                    "Write a PNG preview beside the EXR (sRGB encoded); on by default");
-  command.add_flag("--denoise", denoise,
-                   "Filter what is traced: less noise, some bias (docs/effects.md); off by default");
+  command.add_flag("--denoise", denoise, flag_help(*key_of_flag("--denoise")));
   command.add_flag("--quiet", quiet, "Say nothing but errors");
   command.add_flag("--print-config", print_config,
                    "Print the scene with every override and default, render nothing");
@@ -60,7 +60,7 @@ void RenderOptions::add_to(CLI::App& command) {
 
 StopTarget RenderOptions::check(const Scene& loaded) const {
   check_outputs(*this);
-  const StopTarget stop = target.resolve(loaded, scene.spp.has_value());
+  const StopTarget stop = target.resolve(loaded, scene.has("--spp"));
   if (stop.any()) check_samples(loaded, stop.max_spp);
   scene.check_applicable(loaded);
   const auto any = [&](auto kind) {

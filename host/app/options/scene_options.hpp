@@ -3,11 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "device/device.hpp"
+#include "scene/key.hpp"
 #include "scene/scene.hpp"
 
 namespace nook {
@@ -16,9 +18,8 @@ namespace nook {
 /// default.
 struct SceneOptions {
   std::filesystem::path scene;
-  std::optional<std::uint32_t> spp, directions, seed;
-  std::optional<std::string> sampling, sampler, max_distance, size, method, quality, radius;
-  std::optional<float> exponent;
+  std::map<std::string, std::string> texts;  ///< what was given for a key's flag; empty: nothing
+  std::optional<std::string> size;
   std::vector<int> crop;
 
   /// Adds SCENE and the options to a subcommand.
@@ -26,7 +27,15 @@ struct SceneOptions {
   /// Loads the scene (TOML, or a bare OBJ), applies the overrides, validates. Throws Error(usage) or
   /// Error(scene).
   Scene load() const;
-  /// Throws Error(usage) for the first flag that no effect of the scene reads.
+  /// Sets what the flags say of an effect of its type. Throws Error(usage) for settings that exclude one
+  /// another.
+  void apply(Effect& effect) const;
+  /// Whether the key's flag, or its variable, was given.
+  bool has(const std::string& flag) const;
+  /// The keys whose flags or variables were given; each says which effects read it.
+  std::vector<const KeyInfo*> given() const;
+  /// Throws Error(usage) for the first flag that no effect of the scene reads. A variable may be meant for
+  /// all scenes of a folder; a flag is meant for this one.
   void check_applicable(const Scene& loaded) const;
 };
 
@@ -45,11 +54,5 @@ struct DeviceOptions {
   void prepare(bool opencl = true) const;
   Device open() const;  ///< prepares, too
 };
-
-/// The scene as TOML, every key with its value: what --print-config prints and the scene hash covers.
-std::string to_toml(const Scene& scene);
-
-/// 128 bits over to_toml() less the file names and how long to render. 32 hexadecimal digits.
-std::string scene_hash(const Scene& scene);
 
 }  // namespace nook

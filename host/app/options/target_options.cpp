@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 #include "adaptive/forecast.hpp"
+#include "app/options/key_flags.hpp"
 #include "base/error.hpp"
 
 namespace nook {
@@ -18,31 +18,15 @@ constexpr double errors_forecast[] = {.05, .02, .01, .005};
 }  // namespace
 
 void TargetOptions::add_to(CLI::App& command) {
-  const CLI::Range samples(1, 1 << 26);
   const char* group = "Stop rules";
-  command
-      .add_option("--error", error, "Render until every pixel's standard error is this; spp follows from it")
-      ->check(CLI::Range(1e-4, 1.0))
-      ->envname("NOOK_ERROR")
-      ->group(group);
-  command.add_option("--confidence", confidence, "Of the intervals behind --error; default 0.95")
-      ->check(CLI::Range(0.5, 0.9999))
-      ->envname("NOOK_CONFIDENCE")
-      ->group(group);
-  command
-      .add_option("--time", seconds,
-                  "Seconds from the start of the command after which the picture is written, as good as it "
-                  "is by then")
-      ->check(CLI::Range(0.05, 1e7))
-      ->envname("NOOK_TIME")
-      ->group(group);
-  command.add_option("--min-spp", min_spp, "With --error: camera rays before a pixel may stop; default 16")
-      ->check(samples)
-      ->group(group);
-  command
-      .add_option("--max-spp", max_spp, "With --error or --time: camera rays a pixel at most; default 65536")
-      ->check(samples)
-      ->group(group);
+  const auto add = [&](const char* flag, auto& value) {
+    add_key_flag(command, *key_of_flag(flag), value)->group(group);
+  };
+  add("--error", error);
+  add("--confidence", confidence);
+  add("--time", seconds);
+  add("--min-spp", min_spp);
+  add("--max-spp", max_spp);
   command
       .add_flag("--dry-run", dry_run,
                 "With --error: a pilot of a second or two, then the predicted time and spp; renders nothing")
@@ -51,11 +35,6 @@ void TargetOptions::add_to(CLI::App& command) {
 
 StopTarget TargetOptions::resolve(const Scene& scene, bool spp) const {
   const auto fail = [](const std::string& why) { throw Error(ExitCode::usage, why); };
-  // CLI::Range lets it pass.
-  const std::pair<const char*, std::optional<double>> given[] = {
-      {"--error", error}, {"--time", seconds}, {"--confidence", confidence}};
-  for (const auto& [flag, value] : given)
-    if (value && std::isnan(*value)) fail(fmt::format("{}: 'nan' is not a number", flag));
   if (spp && (error || seconds))
     fail(fmt::format("--spp: excludes {}, which --max-spp bounds", error ? "--error" : "--time"));
   StopTarget stop = spp ? StopTarget{} : scene.stop;

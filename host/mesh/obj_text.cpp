@@ -1,0 +1,82 @@
+#include "mesh/obj_text.hpp"
+
+#include <algorithm>
+
+namespace nook {
+
+ObjKeyword obj_keyword(std::string_view statement, std::string_view& rest) {
+  std::size_t length = 0;
+  while (length < statement.size() && !is_blank(statement[length])) ++length;
+  rest = statement.substr(length);
+  const std::string_view word = statement.substr(0, length);
+  if (word.size() == 1) switch (word[0]) {
+      case 'v':
+        return ObjKeyword::position;
+      case 'f':
+        return ObjKeyword::face;
+      case 'g':
+        return ObjKeyword::group;
+      case 'o':
+        return ObjKeyword::object;
+      default:
+        return ObjKeyword::other;
+    }
+  if (word == "vt") return ObjKeyword::uv;
+  if (word == "vn") return ObjKeyword::normal;
+  if (word == "usemtl") return ObjKeyword::material;
+  return word == "mtllib" ? ObjKeyword::library : ObjKeyword::other;
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+std::string_view next_word(std::string_view& text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  std::size_t length = 0;
+  while (length < text.size() && !is_blank(text[length])) ++length;
+  const std::string_view word = text.substr(0, length);
+  text.remove_prefix(length);
+  return !word.empty() && word[0] == '#' ? std::string_view() : word;
+}
+
+bool goes_on(std::string_view line) {
+  if (line.empty() || line.back() != '\\') return false;
+  for (std::size_t i = 0; i < line.size(); ++i)
+    if (line[i] == '#' && (i == 0 || is_blank(line[i - 1]))) return false;
+  return true;
+}
+
+ObjCounts count_obj(std::string_view piece) {
+  ObjCounts counts;
+  counts.lines = for_each_statement(piece, [&](std::string_view statement, std::size_t) {
+    if (statement[0] != 'v' && statement[0] != 'f') return true;
+    std::string_view rest;
+    const ObjKeyword keyword = obj_keyword(statement, rest);
+    counts.positions += keyword == ObjKeyword::position;
+    counts.uvs += keyword == ObjKeyword::uv;
+    counts.normals += keyword == ObjKeyword::normal;
+    counts.faces += keyword == ObjKeyword::face;
+    return true;
+  });
+  return counts;
+}
+
+std::vector<std::string_view> obj_pieces(std::string_view text, std::size_t bytes) {
+  std::vector<std::string_view> pieces;
+  const auto continues = [&](std::size_t newline) {
+    if (newline > 0 && text[newline - 1] == '\r') --newline;
+    return newline > 0 && text[newline - 1] == '\\';
+  };
+  while (!text.empty()) {
+    std::size_t end = text.size() > bytes ? text.find('\n', bytes) : std::string_view::npos;
+    while (end != std::string_view::npos && continues(end)) end = text.find('\n', end + 1);
+    pieces.push_back(text.substr(0, end == std::string_view::npos ? end : end + 1));
+    text.remove_prefix(pieces.back().size());
+  }
+  return pieces;
+}
+
+}  // namespace nook

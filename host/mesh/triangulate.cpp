@@ -1,0 +1,245 @@
+#include "mesh/triangulate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <type_traits>
+
+#include "base/error.hpp"
+#include "base/task_pool.hpp"
+#include "base/threads.hpp"
+#include "mesh/corner_order.hpp"
+#include "mesh/face_cut.hpp"
+
+namespace nook {
+namespace {
+
+constexpr std::size_t grain = 1 << 16;  // elements that a thread takes at a time
+
+// Unit normals; those that cannot be normalised become 0, which corners do not refer to. Returns how many had
+// another length.
+std::uint64_t normalise(std::vector<vec3>& normals, TaskPool& pool) {
+  std::atomic<std::uint64_t> all = 0;
+  pool.for_ranges(normals.size(), grain, [&](std::size_t begin, std::size_t end) {
+    std::uint64_t changed = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      vec3& n = normals[i];
+      const double length = glm::length(dvec3(n));
+      const bool usable = std::isfinite(length) && length > 1e-30;
+      changed += usable && std::abs(length - 1) > 1e-3;
+      n = usable ? vec3(dvec3(n) / length) : vec3(0);
+    }
+    all += changed;
+  });
+  return all;
+}
+
+// Where faces cross themselves: the first one, and how many.
+struct Crossed {
+  std::uint32_t first_place = 0;
+  std::uint64_t faces = 0;
+};
+
+// A block's faces as triangles; indices are those of `mesh`, whose positions, normals and uvs are there.
+class BlockTriangles {
+ public:
+  BlockTriangles(const PolygonMesh& polygons, const TriangleMesh& mesh, const MeshAttributes& want)
+      : polygons_(polygons), mesh_(mesh), want_(want) {}
+
+  TriangleMesh of(const FaceBlock& block, Crossed& crossed) {
+    TriangleMesh part;
+    part.triangles.reserve(block.face_sizes.size());
+    std::size_t corner = 0, run = 0, polygon = 0;
+    for (std::size_t face = 0; face < block.face_sizes.size(); ++face) {
+      while (run + 1 < block.runs.size() && block.runs[run + 1].first_face <= face) ++run;
+      const std::uint32_t size = block.face_sizes[face];
+      triangles_.clear();
+      if (!cut(block, corner, size) && crossed.faces++ == 0) crossed.first_place = block.places[polygon];
+      polygon += size > 3;
+      for (const FaceCutter::Triangle& t : triangles_) add(part, block, corner, t, block.runs[run]);
+      corner += size;
+    }
+    return part;
+  }
+
+ private:
+  // A face with a position that is not finite becomes a fan, of which some triangles will be dropped.
+  bool cut(const FaceBlock& block, std::size_t first, std::uint32_t size) {
+    corners_.clear();
+    bool all_finite = true;
+    for (std::size_t c = first; size > 3 && c < first + size; ++c) {
+      all_finite = all_finite && finite(mesh_.positions[block.positions[c]]);
+      corners_.push_back(polygons_.positions[block.positions[c]]);
+    }
+    if (size > 3 && all_finite) return cutter_.cut(corners_, triangles_);
+    for (std::uint32_t k = 1; k + 1 < size; ++k) triangles_.push_back({0, k, k + 1});
+    return true;
+  }
+
+  void add(TriangleMesh& part, const FaceBlock& block, std::size_t first,
+           const FaceCutter::Triangle& triangle, const FaceBlock::Run& run) const {
+    std::array<std::uint32_t, 3> position{}, normal{}, uv{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t c = first + triangle[k];
+      position[k] = block.positions[c];
+      if (want_.normals) normal[k] = normal_of(block, c);
+      if (want_.uvs) uv[k] = uv_of(block, c);
+    }
+    part.triangles.push_back(position);
+    if (want_.normals) part.triangle_normals.push_back(normal);
+    if (want_.uvs) part.triangle_uvs.push_back(uv);
+    if (want_.materials) part.triangle_material.push_back(run.material);
+    if (want_.groups) part.triangle_group.push_back(run.group);
+  }
+
+  std::uint32_t normal_of(const FaceBlock& block, std::size_t c) const {
+    const std::uint32_t index = polygons_.vertices_have_normals ? block.positions[c]
+                                : block.normals.empty()         ? FaceBlock::none
+                                                                : block.normals[c];
+    return index != FaceBlock::none && mesh_.normals[index] != vec3(0) ? index : TriangleMesh::no_normal;
+  }
+
+  std::uint32_t uv_of(const FaceBlock& block, std::size_t c) const {
+    const std::uint32_t index = polygons_.vertices_have_uvs ? block.positions[c]
+                                : block.uvs.empty()         ? FaceBlock::none
+                                                            : block.uvs[c];
+    if (index == FaceBlock::none) return TriangleMesh::no_uv;
+    const vec2& uv = mesh_.uvs[index];
+    return std::isfinite(uv.x) && std::isfinite(uv.y) ? index : TriangleMesh::no_uv;
+  }
+
+  const PolygonMesh& polygons_;
+  const TriangleMesh& mesh_;
+  const MeshAttributes& want_;
+  FaceCutter cutter_;
+  std::vector<dvec3> corners_;
+  std::vector<FaceCutter::Triangle> triangles_;
+};
+
+// Calls visit(array) for each of the arrays that have an entry a triangle.
+template <class Visit>
+void for_each_array(Visit visit) {
+  visit(&TriangleMesh::triangles);
+  visit(&TriangleMesh::triangle_normals);
+  visit(&TriangleMesh::triangle_uvs);
+  visit(&TriangleMesh::triangle_material);
+  visit(&TriangleMesh::triangle_group);
+}
+
+// Drops the triangles that have a position which is not finite, and counts them; then makes part.bounds, and
+// turns the triangles.
+void finish(TriangleMesh& part, const std::vector<vec3>& positions) {
+  const std::size_t count = part.triangles.size();
+  std::vector<std::uint32_t> kept;
+  kept.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& [a, b, c] = part.triangles[i];
+    if (!finite(positions[a]) || !finite(positions[b]) || !finite(positions[c])) continue;
+    kept.push_back(std::uint32_t(i));
+    for (const std::uint32_t index : {a, b, c}) part.bounds.add(positions[index]);
+  }
+  part.report.triangles_read = count;
+  part.report.non_finite_dropped = count - kept.size();
+  for_each_array([&](auto array) {
+    auto& values = part.*array;
+    if (values.empty() || kept.size() == count) return;
+    for (std::size_t i = 0; i < kept.size(); ++i) values[i] = values[kept[i]];
+    values.resize(kept.size());
+  });
+  for (const auto& corners : part.triangle_normals)
+    for (const std::uint32_t n : corners) part.report.normals_replaced += n == TriangleMesh::no_normal;
+  end_with_longest_edges(part, positions);
+}
+
+// The parts' triangles, what each of them has, bounds and counts, behind one another in `mesh`. The parts are
+// left empty.
+void join(TriangleMesh& mesh, std::vector<TriangleMesh>& parts) {
+  for_each_array([&](auto array) {
+    std::size_t total = 0;
+    for (const TriangleMesh& part : parts) total += (part.*array).size();
+    auto& whole = mesh.*array;
+    whole.reserve(total);
+    for (TriangleMesh& part : parts) {
+      whole.insert(whole.end(), (part.*array).begin(), (part.*array).end());
+      std::remove_reference_t<decltype(whole)>().swap(part.*array);
+    }
+  });
+  for (const TriangleMesh& part : parts) {
+    mesh.bounds.add(part.bounds);
+    mesh.report.triangles_read += part.report.triangles_read;
+    mesh.report.non_finite_dropped += part.report.non_finite_dropped;
+    mesh.report.normals_replaced += part.report.normals_replaced;
+  }
+}
+
+// Leaves out what no triangle has.
+void drop_unused(TriangleMesh& mesh) {
+  if (mesh.report.normals_replaced == 3 * mesh.triangles.size()) {
+    mesh.normals.clear();
+    mesh.triangle_normals.clear();
+    mesh.report.normals_replaced = 0;
+  }
+  const auto no_uv = [](const auto& corners) {
+    return std::all_of(corners.begin(), corners.end(),
+                       [](std::uint32_t i) { return i == TriangleMesh::no_uv; });
+  };
+  if (std::all_of(mesh.triangle_uvs.begin(), mesh.triangle_uvs.end(), no_uv)) mesh.triangle_uvs.clear();
+}
+
+void warn_of_crossings(TriangleMesh& mesh, const PolygonMesh& polygons, const std::vector<Crossed>& crossed) {
+  Crossed all;
+  for (const Crossed& c : crossed) {
+    if (all.faces == 0) all.first_place = c.first_place;
+    all.faces += c.faces;
+  }
+  if (all.faces == 0) return;
+  const std::string others = all.faces > 1 ? fmt::format(" (and {} more faces' do)", all.faces - 1) : "";
+  mesh.report.warnings.push_back(fmt::format("{}:{}{}: the face's outline crosses itself{}", polygons.name,
+                                             polygons.place, all.first_place, others));
+}
+
+}  // namespace
+
+TriangleMesh triangulated(PolygonMesh&& polygons, const MeshAttributes& want) {
+  std::vector<FaceBlock>& blocks = polygons.blocks;
+  const std::size_t tasks = std::max(blocks.size(), polygons.positions.size() / grain);
+  TaskPool pool(unsigned(std::min<std::size_t>(threads_to_use(), std::max<std::size_t>(tasks, 1))));
+  TriangleMesh mesh;
+  mesh.positions.resize(polygons.positions.size());
+  pool.for_ranges(mesh.positions.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) mesh.positions[i] = vec3(polygons.positions[i]);
+  });
+  if (want.normals) mesh.normals = std::move(polygons.normals);
+  if (want.uvs) mesh.uvs = std::move(polygons.uvs);
+  if (want.materials) mesh.materials = std::move(polygons.materials);
+  if (want.groups) {
+    mesh.groups = std::move(polygons.groups);
+    mesh.group_names = std::move(polygons.group_names);
+  }
+  mesh.report.warnings = std::move(polygons.warnings);
+  mesh.report.normals_normalised = normalise(mesh.normals, pool);
+
+  std::vector<TriangleMesh> parts(blocks.size());
+  std::vector<Crossed> crossed(blocks.size());
+  pool.for_ranges(blocks.size(), 1, [&](std::size_t i, std::size_t) {
+    parts[i] = BlockTriangles(polygons, mesh, want).of(blocks[i], crossed[i]);
+    blocks[i] = {};
+    finish(parts[i], mesh.positions);
+  });
+  LargeVector<dvec3>().swap(polygons.positions);
+  join(mesh, parts);
+
+  warn_of_crossings(mesh, polygons, crossed);
+  drop_unused(mesh);
+  if (mesh.triangles.empty())
+    throw Error(ExitCode::scene,
+                mesh.report.non_finite_dropped
+                    ? fmt::format("{}: no triangle is left ({} have NaN or infinite vertices)", polygons.name,
+                                  mesh.report.non_finite_dropped)
+                    : fmt::format("{}: the mesh has no triangles", polygons.name));
+  return mesh;
+}
+
+}  // namespace nook

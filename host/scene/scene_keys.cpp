@@ -1,0 +1,202 @@
+#include "scene/scene_keys.hpp"
+
+#include <algorithm>
+
+#include "scene/effect_keys.hpp"
+
+namespace nook {
+namespace {
+
+using Form = Domain::Form;
+
+constexpr std::pair<std::string_view, bool> compat_names[] = {{"none", false}, {"tinyrender", true}};
+constexpr double most_samples = 1 << 26;
+
+constexpr Field<Scene> compat{
+    [](const Scene& s) { return KeyValue(std::string(name_of<bool>(compat_names, s.compat_tinyrender))); },
+    [](Scene& s, const KeyValue& value) {
+      s.compat_tinyrender = *value_of<bool>(compat_names, std::get<std::string>(value));
+    }};
+
+constexpr auto without_stop = [](const Scene& s) { return !s.stop.any(); };
+constexpr auto with_stop = [](const Scene& s) { return s.stop.any(); };
+constexpr auto with_error = [](const Scene& s) { return s.stop.error.has_value(); };
+constexpr auto own_camera = [](const Scene& s) { return !s.automatic_camera; };
+constexpr std::string_view framed = "eye, at and up follow from frame = true";
+
+const Key<Scene> of_camera[] = {
+    {{.name = "frame",
+      .domain = yes_or_no,
+      .help = "true: a view from above that frames the mesh, in place of `eye`, `at` and `up`"},
+     field<Scene, &Scene::automatic_camera>()},
+    {{.name = "eye",
+      .domain = {.form = Form::point, .unit = "world units"},
+      .help = "where a right-handed pinhole camera stands",
+      .needs = framed,
+      .of_nook = false},
+     field<Scene, &Scene::camera, &Camera::eye>(),
+     own_camera},
+    {{.name = "at",
+      .domain = {.form = Form::point, .unit = "world units"},
+      .help = "what it looks at",
+      .needs = framed,
+      .of_nook = false},
+     field<Scene, &Scene::camera, &Camera::at>(),
+     own_camera},
+    {{.name = "up",
+      .domain = {.form = Form::point},
+      .help = "what is up in the picture",
+      .needs = framed,
+      .of_nook = false},
+     field<Scene, &Scene::camera, &Camera::up>(),
+     own_camera},
+    {{.name = "fov",
+      .domain = {.lo = 0, .hi = 180, .above = true, .below = true, .noun = "an angle", .unit = "degrees"},
+      .help = "vertical field of view",
+      .of_nook = false},
+     field<Scene, &Scene::camera, &Camera::fov>()},
+};
+
+const Key<Scene> of_film[] = {
+    {{.name = "width", .domain = integer(1, 65535, "pixels"), .help = "of the picture", .of_nook = false},
+     field<Scene, &Scene::width>()},
+    {{.name = "height",
+      .domain = integer(1, 65535, "pixels"),
+      .help = "of the picture; row 0 is the top",
+      .of_nook = false},
+     field<Scene, &Scene::height>()},
+    {{.name = "crop",
+      .domain = {.form = Form::crop},
+      .help = "pixels x0 <= x < x1, y0 <= y < y1 alone",
+      .default_says = "whole"},
+     field<Scene, &Scene::crop>()},
+};
+
+const Key<Scene> of_renderer[] = {
+    {{.name = "realtime",
+      .domain = yes_or_no,
+      .help = "true: `type` is `ssao`, drawn by OpenGL",
+      .of_nook = false},
+     field<Scene, &Scene::realtime>()},
+    {{.name = "spp",
+      .domain = integer(1, most_samples),
+      .readers = traced_kinds,
+      .help = "camera rays a pixel; powers of two are best for `sobol`",
+      .flag = "--spp",
+      .needs = "spp and error or time exclude one another; max_spp bounds them",
+      .of_nook = false},
+     field<Scene, &Scene::spp>(),
+     without_stop},
+    {{.name = "error",
+      .domain = {.lo = 1e-4, .hi = 1, .noun = "a standard error"},
+      .readers = traced_kinds,
+      .help = "instead of `spp`: render until each pixel has this standard error; see [targets](study.md)",
+      .flag = "--error",
+      .of_samples = false},
+     field<Scene, &Scene::stop, &StopTarget::error>()},
+    {{.name = "confidence",
+      .domain = {.lo = 0.5, .hi = 0.9999, .noun = ""},
+      .readers = traced_kinds,
+      .help = "with `error`: of the intervals behind it",
+      .flag = "--confidence",
+      .needs = "confidence goes with error",
+      .of_samples = false},
+     field<Scene, &Scene::stop, &StopTarget::confidence>(),
+     with_error},
+    {{.name = "time",
+      .domain = {.lo = 0.05, .hi = 1e7, .noun = "seconds"},
+      .readers = traced_kinds,
+      .help =
+          "instead of `spp`, or beside `error`: from the start of the command; the picture is then written, "
+          "as good as it is",
+      .flag = "--time",
+      .of_samples = false},
+     field<Scene, &Scene::stop, &StopTarget::seconds>()},
+    {{.name = "min_spp",
+      .domain = integer(1, most_samples),
+      .readers = traced_kinds,
+      .help = "with `error`: camera rays before a pixel may stop",
+      .flag = "--min-spp",
+      .needs = "min_spp goes with error",
+      .of_samples = false},
+     field<Scene, &Scene::stop, &StopTarget::min_spp>(),
+     with_error},
+    {{.name = "max_spp",
+      .domain = integer(1, most_samples),
+      .readers = traced_kinds,
+      .help = "with `error` or `time`: camera rays a pixel at most",
+      .flag = "--max-spp",
+      .needs = "max_spp goes with error or time",
+      .of_samples = false},
+     field<Scene, &Scene::stop, &StopTarget::max_spp>(),
+     with_stop},
+    {{.name = "directions",
+      .domain = integer(1, most_samples),
+      .readers = traced_kinds,
+      .help = "occlusion rays per camera ray; times `spp` (or `max_spp`) at most 2^28",
+      .flag = "--directions"},
+     field<Scene, &Scene::directions>()},
+    {{.name = "sampler",
+      .domain = choice<sampler_names>(),
+      .readers = traced_kinds,
+      .help = "the point sequence; see [estimators](estimators.md)",
+      .flag = "--sampler"},
+     field<Scene, &Scene::sampler>()},
+    {{.name = "seed",
+      .domain = integer(0, 4294967295.0),
+      .readers = traced_kinds,
+      .help = "of all random numbers",
+      .flag = "--seed"},
+     field<Scene, &Scene::seed>()},
+    {{.name = "denoise",
+      .domain = yes_or_no,
+      .readers = traced_kinds,
+      .help = "what is traced is filtered: less noise, some bias; see [effects](effects.md#denoising)",
+      .flag = "--denoise",
+      .of_samples = false},
+     field<Scene, &Scene::denoise>()},
+    {{.name = "compat",
+      .domain = choice<compat_names>(),
+      .help = "`tinyrender`: an automatic AO distance is 1.5, as in the course's published images"},
+     compat},
+};
+
+}  // namespace
+
+std::span<const Key<Scene>> camera_keys() {
+  return of_camera;
+}
+std::span<const Key<Scene>> film_keys() {
+  return of_film;
+}
+std::span<const Key<Scene>> renderer_keys() {
+  return of_renderer;
+}
+
+const KeyInfo* key_of_flag(std::string_view flag) {
+  const KeyInfo* found = nullptr;
+  const auto look = [&](const auto& keys) {
+    for (const auto& key : keys)
+      if (!flag.empty() && key.info.flag == flag) found = &key.info;
+  };
+  look(renderer_keys());
+  look(effect_keys());
+  return found;
+}
+
+bool is_read(const KeyInfo& key, const Scene& scene) {
+  return std::any_of(scene.effects.begin(), scene.effects.end(),
+                     [&](const Effect& e) { return key.readers.contains(e.kind); });
+}
+
+std::string KeyInfo::variable() const {
+  std::string text(flag);
+  if (text.empty()) return text;
+  text = "NOOK" + text.substr(1);
+  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
+    return c == '-' ? '_' : c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c;
+  });
+  return text;
+}
+
+}  // namespace nook
