@@ -9,6 +9,7 @@ its lines `<!-- begin NAME -->` and `<!-- end NAME -->`. Of lines that measure t
 import json
 import pathlib
 import sys
+import textwrap
 
 import matplotlib
 
@@ -194,7 +195,7 @@ def main(folder):
         [[str(l["instances"]), l["kept_as"], f"{l['peak_bytes'] * 1e-6:.0f}"] + [f"{l[k]:.2f}" for k in ("load_seconds", "tree_seconds", "device_seconds", "cpu_seconds")] for l in read(folder, "instances", lambda l: (l["instances"], l["kept_as"]))])
     machine = folder / "machine.txt"
     if machine.exists():
-        text["machine"] = machine.read_text(encoding="utf-8")
+        text["machine"] = textwrap.fill(machine.read_text(encoding="utf-8"), 100, break_on_hyphens=False) + "\n"
     return {name: body for name, body in text.items() if body}
 
 

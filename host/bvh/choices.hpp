@@ -8,7 +8,7 @@
 
 namespace nook {
 
-// What a ray pays for a visit: measured for streams (bench/README.md), in arbitrary units.
+// What a ray pays for a visit: measured for streams (bench/journal.md), in arbitrary units.
 constexpr float bvh_node_cost = 1.0f;
 constexpr float bvh_leaf_cost = 1.2f;
 

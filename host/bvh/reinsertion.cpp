@@ -9,7 +9,7 @@
 namespace nook {
 namespace {
 
-// Measured (bench/README.md): more of any of these costs more time than it saves rays.
+// Measured (bench/journal.md): more of any of these costs more time than it saves rays.
 constexpr std::size_t most_subtrees = 1 << 14;  // under the upper tree
 constexpr std::size_t moves_a_round = 10000;
 constexpr int rounds = 3;

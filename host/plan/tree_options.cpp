@@ -3,7 +3,7 @@
 namespace nook {
 namespace {
 
-// Measured on two threads (bench/README.md): rays whose twentieth takes twice as long as a refinement.
+// Measured on two threads (bench/journal.md): rays whose twentieth takes twice as long as a refinement.
 constexpr double rays_worth_refining = double(1u << 25);
 
 }  // namespace
