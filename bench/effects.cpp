@@ -174,10 +174,10 @@ void measure(const Settings& settings, const Device& device, const Case& one) {
   changed.once();
   std::vector<double> ratios;
   Run::Cost a, b;
-  // What must be 1.00 to 0.02 takes more rounds.
+  // The controls, which must be 1.00 ± 0.02, take more rounds.
   const int rounds = one.control ? 4 * settings.rounds : settings.rounds;
   for (int round = 0; round < rounds; ++round) {
-    // Plain, changed, changed, plain, or the other way round: a machine that slows down slows both alike.
+    // Plain, changed, changed, plain, or the other way round, so that a drift of the machine cancels.
     Run& outer = round % 2 ? changed : plain;
     Run& inner = round % 2 ? plain : changed;
     Run::Cost first = outer.once(), second = inner.once(), third = inner.once(), fourth = outer.once();
@@ -240,7 +240,7 @@ void add_effects(CLI::App& app) {
       ->add_option("--rounds", settings->rounds,
                    "Rounds of two runs of each side; four times as many for the controls")
       ->check(CLI::Range(1, 1000));
-  command->add_option("--cases", settings->cases, "Parts of cases' names; default: all")->delimiter(',');
+  command->add_option("--cases", settings->cases, "Pieces of cases' names; default: all")->delimiter(',');
   command->add_flag("--check", settings->check,
                     "Fail unless the 95 % intervals of the first two cases lie within 1.00 +- 0.02");
   command->add_option("--output", settings->output, "Append one JSON line a case to this file");

@@ -1,6 +1,6 @@
-// nook_bench instances: oaks of scenes/generated on a square, as trees in place and as copies: memory,
-// loading, trees, rendering of whole processes, in rounds that take turns, and that the pictures are the
-// same.
+// nook_bench instances: oaks of scenes/generated on a square, as trees in place and as copies. Measures
+// memory, loading, trees and rendering of whole processes, in rounds that take turns, and checks that the
+// pictures are the same.
 #include "instances.hpp"
 
 #include <algorithm>

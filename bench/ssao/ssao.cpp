@@ -1,5 +1,5 @@
 // nook_bench ssao: how far screen-space AO is from ray-traced AO with the same radius, weighting and normals,
-// and what each method costs; and what the path tracer reaches in the same time.
+// and what each method costs; and what traced rays reach in the same time.
 #include "bench/ssao/ssao.hpp"
 
 #include <algorithm>
@@ -122,7 +122,7 @@ double load_average() {
   return getloadavg(&load, 1) == 1 ? load : -1;
 }
 
-// What the path tracer reaches in the time of one method, first without the filter on either side, then with
+// What traced rays reach in the time of one method, first without the filter on either side, then with
 // the same filter on both; `filter_seconds` is what it costs on a full picture.
 nlohmann::json equal_time(const Settings& s, SsaoRenderer& renderer, const Camera& camera, SsaoPlan plan,
                           const TracedAo& traced, const Reference& reference,
@@ -258,7 +258,7 @@ void add_ssao(CLI::App& app) {
       ->delimiter(',');
   command->add_flag("--reference,!--no-reference", settings->reference, "Errors as well as times");
   command->add_flag("--equal-time", settings->equal_time,
-                    "Also what the path tracer reaches in the same time, without and with the filter");
+                    "Also what traced rays reach in the same time, without and with the filter");
   command->add_option("-o,--output", settings->output, "Append JSON lines to this file");
   command->add_option("--pictures", settings->pictures,
                       "Write reference, SSAO and error side by side to this folder");

@@ -8,7 +8,7 @@
 
 namespace nook::bench {
 
-/// Ray-traced AO within a given time, by nook's path tracer.
+/// Ray-traced AO within a given time, by nook's own tracer.
 class TracedAo {
  public:
   /// radius: of the AO, world units. Camera, size and mesh are the scene's.
@@ -19,7 +19,7 @@ class TracedAo {
     double seconds;             ///< of the fastest of three runs (of one, if it takes longer than a second)
     std::vector<float> values;  ///< row-major; 0 for a miss
   };
-  /// As many directions as fit, at least 1: then it takes longer.
+  /// As many directions as fit into the time; at least 1, even if that takes longer.
   Result in_time(double seconds) const;
 
  private:

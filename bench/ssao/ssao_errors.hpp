@@ -17,8 +17,8 @@ struct Reference {
   std::vector<ReferenceTracer::Estimate> ambient;
 };
 
-/// 2 grid^2 directions at one pixel in each block of 4x4, at a place that varies: as good as all pixels to
-/// 1 %, for a sixteenth of the rays.
+/// 2 grid^2 directions at one pixel in each block of 4x4, at a place that varies. Errors are those over all
+/// pixels to within 1 %, for a sixteenth of the rays.
 Reference trace_reference(const ReferenceTracer& tracer, const Camera& camera, int width, int height,
                           float radius, int grid);
 
@@ -28,7 +28,7 @@ class Differences {
   void add(double value, const ReferenceTracer::Estimate& reference);
   double bias() const { return (a_ - b_) / n_; }
   double mae() const { return absolute_ / n_; }
-  /// Less the reference's own variance.
+  /// The reference's own variance is subtracted.
   double rmse() const;
   double correlation() const;
 

@@ -30,7 +30,7 @@ class ReferenceTracer {
 
   struct Estimate {
     float value = 0;     ///< AO; 0 for a miss
-    float variance = 0;  ///< unbiased estimate of the value's own, from its two halves
+    float variance = 0;  ///< of the value; an unbiased estimate from its two halves
   };
   /// Cosine-weighted AO from two independent halves of grid * grid directions each, jittered in their strata;
   /// on all cores.

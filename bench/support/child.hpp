@@ -14,9 +14,9 @@ struct ChildTimes {
   double peak_bytes = 0;   ///< resident
 };
 
-/// Runs a program to its end, its output going where ours goes; `environment` is added to ours. Throws
-/// Error(internal) if it cannot be started or fails. It is started by a small process in between
-/// (run_and_report): the peak that the kernel counts for a program begins with that of who started it.
+/// Runs a program to its end. Its output goes where ours goes; `environment` is added to ours. Throws
+/// Error(internal) if it cannot be started or fails. A small process in between starts it (run_and_report),
+/// since the peak of memory that the kernel counts for a program begins with that of its parent.
 ChildTimes run_child(const std::vector<std::string>& command,
                      const std::map<std::string, std::string>& environment = {});
 

@@ -49,7 +49,7 @@ inline vec3 to_world(const vec3& d, const std::array<vec3, 2>& t, const vec3& n)
 /// Camera rays' directions, `samples` to a pixel (a regular pattern), pixels in tiles of 8 x 8.
 std::vector<vec3> camera_directions(const BenchScene& scene, unsigned resolution, unsigned samples);
 
-/// The points that those rays see, on the viewer's side of the surface; rays that miss leave no point.
+/// The points that those rays see, on the viewer's side of the surface. A ray that misses has no point.
 /// mirrored: the axis is the view's mirror direction instead of the normal.
 std::vector<RayPoint> visible_points(const BenchScene& scene, const EmbreeScene& embree,
                                      const std::vector<vec3>& directions, bool mirrored);

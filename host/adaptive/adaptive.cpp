@@ -8,7 +8,7 @@ namespace nook {
 namespace {
 
 constexpr std::uint32_t randomisations = 8, first_of_each = 16;
-// Counts need at most 1/4 error^-2 samples, the randomisations at least 128, from a net of 16 each.
+// Counts need at most 1/4 error^-2 samples; eight randomisations need at least 128, a net of 16 each.
 constexpr double counts_from_error = 0.03;
 
 bool all_counts(const Plan& plan) {
@@ -73,7 +73,7 @@ AdaptiveRender::AdaptiveRender(OcclusionTracer& tracer, const Plan& plan, const 
       session_(tracer, plan, std::move(identity), randomisations_, most_planes(rules_) + 1) {
   tracer.count_free(free_plane());
   if (randomisations_.count == 1)
-    stages_ = checkpoints(target_.min_spp, target_.max_spp);
+    stages_ = stages_from(target_.min_spp, target_.max_spp);
   else
     for (const std::uint32_t n : randomisations_.stages) stages_.push_back(n * randomisations_.count);
 }
@@ -82,14 +82,14 @@ std::size_t AdaptiveRender::free_plane() const {
   return session_.films().front().kept.size() - 1;
 }
 
-// Whether effect e's value is 1 wherever nothing is in reach. (Of bent normals so is the AO, but not the
-// direction.)
+// Whether effect e's value is 1 wherever nothing is in reach. (With bent normals that holds for the AO, but
+// not for the direction.)
 bool AdaptiveRender::is_one_if_free(std::size_t e) const {
   return plan_.effects[e].reach && plan_.effects[e].effect.kind == EffectKind::ao;
 }
 
-// Pixels without a hit so far, or all of whose samples hit the mesh and have nothing in reach, surrounded by
-// such.
+// Marks pixels without a hit so far, and pixels whose samples all hit the mesh and have nothing in reach, if
+// their neighbours are such too.
 void AdaptiveRender::finish_certain() {
   for (std::size_t e = 0; e < rules_.size(); ++e) {
     Film& film = session_.films()[e];
@@ -124,7 +124,7 @@ bool AdaptiveRender::done(std::size_t pixel) const {
   return true;
 }
 
-// The schedule: depends on films and constants alone.
+// The schedule. It depends on nothing but films and constants, so that a resumed render has the same.
 SampleBoxes AdaptiveRender::next() {
   std::vector<Film>& films = session_.films();
   const auto& taken_by = films.front().camera_samples;

@@ -42,17 +42,19 @@ Randomisations randomisations_of(const Plan& plan, const ErrorTarget& target);
 /// Renders until every pixel has the error asked for, each with as many samples as it needs.
 ///
 /// With independent samples: counts (AO, cosine) sequentially, all others with a pilot (independent_rule()).
-/// With randomised point sequences (Sobol', Halton): by the spread of 8 randomisations (replicate_rule()),
-/// which is cheaper where the sequence is better than independent samples and the error asked is not reached
-/// by its first stage already. A pixel is done at once whose first samples, and its neighbours', all miss the
-/// mesh, or all meet it where nothing is in reach (AO, EffectPlan::reach): the value is 1 then, its error 0.
-/// An occluder in reach of a part of the pixel alone, between the samples of nine pixels, is missed.
+/// With randomised point sequences (Sobol', Halton): by the spread of 8 randomisations (replicate_rule()).
+/// That is cheaper, unless the error asked is reached by its first stage already.
+///
+/// A pixel is done at once if its first samples, and its neighbours', all miss the mesh. So is one whose
+/// first samples, and its neighbours', all meet the mesh where nothing is in reach (AO, EffectPlan::reach):
+/// its value is 1, its error 0. An occluder that only a part of the pixel has in reach, between the samples
+/// of nine pixels, is missed.
 ///
 /// Same plan, target and tracer: same bits, also of a render that was stopped and resumed.
 class AdaptiveRender {
  public:
-  /// The plan a tracer needs for this: the point sequence that the rules work with (independent samples where
-  /// they are as cheap), the most samples. The sampler must be independent, sobol or halton.
+  /// The plan that a tracer needs for this. It has the point sequence that the rules work with (independent
+  /// samples where they are as cheap) and the most samples. The sampler must be independent, sobol or halton.
   static Plan plan_for(Plan plan, const ErrorTarget& target);
   /// Whether a render to an error can use it.
   static bool can_use(Sampler sampler);
@@ -61,7 +63,7 @@ class AdaptiveRender {
   AdaptiveRender(OcclusionTracer& tracer, const Plan& plan, const ErrorTarget& target,
                  FilmPart::Texts identity = {});
 
-  /// What is to be kept or resumed; before run() if at all.
+  /// What a part keeps and a resumed render begins with. To resume, do it before run().
   Session& session() { return session_; }
 
   /// Called after each launch; false stops.

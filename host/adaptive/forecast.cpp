@@ -12,11 +12,11 @@ namespace {
 constexpr std::size_t run_length =
     64;  // pixels that are neighbours: rays as coherent as in the whole picture
 constexpr std::uint32_t samples_a_pass = 256;  // as a render's stages have for errors that take long
-// What the rules take beyond the samples that their target needs: stages are an eighth apart, and plans of a
-// pilot are on the safe side.
+// The rules take more samples than their target needs, by these factors: stages are an eighth apart, and what
+// a pilot asks for is on the safe side.
 constexpr double counts_surplus = 1.06, planned_surplus = 1.12;
 
-// Positions of so many pixels, or all.
+// Positions of about `wanted` pixels in evenly spread runs; of all, if there are fewer.
 std::vector<std::uint32_t> spread_runs(std::size_t pixels, std::size_t wanted) {
   const std::size_t runs = std::max<std::size_t>(1, pixels / run_length);
   const std::size_t step = std::max<std::size_t>(1, runs * run_length / std::max<std::size_t>(wanted, 1));
@@ -52,8 +52,8 @@ Forecast forecast(OcclusionTracer& tracer, const Plan& plan, const ErrorTarget& 
   }
   for (std::uint32_t& pixel : pixels) pixel = order[pixel];
   std::vector<Film> films = tracer.make_films();
-  // The first launches load code and fill caches: they count as samples, not as speed. And a render spends
-  // its time on pixels that see the mesh.
+  // The first launches load code and fill caches: their samples count, their speed does not. The rate is that
+  // of pixels that see the mesh, on which a render spends its time.
   std::uint32_t taken = 16;
   tracer.accumulate(pixels, {0, taken}, films);
   std::vector<std::uint32_t> on_mesh;

@@ -21,11 +21,11 @@ struct Forecast {
   std::vector<ForecastRow> rows;  ///< one per error asked about
 };
 
-/// Predicts AdaptiveRender from a pilot on every so-manieth run of 64 neighbouring pixels, which takes about
-/// `seconds`: the samples each needs follow from its mean and variance, the time from the rate, which is the
-/// median of several passes over those that see the mesh. tracer and plan as for AdaptiveRender with the
-/// least of the errors. clock: what the seconds are of; the processor's time, say, on a machine with other
-/// work.
+/// Predicts AdaptiveRender from a pilot of about `seconds`, on runs of 64 neighbouring pixels that are spread
+/// evenly over the picture. A pixel's mean and variance tell the samples that it needs. The rate tells the
+/// time: the median of several passes over the pixels that see the mesh. tracer and plan: as for
+/// AdaptiveRender with the least of the errors. clock: whose seconds are meant; on a machine with other work,
+/// say, the processor's.
 Forecast forecast(OcclusionTracer& tracer, const Plan& plan, const ErrorTarget& target,
                   std::span<const double> errors, double seconds,
                   const Deadline::Clock& clock = Deadline::steady_seconds);

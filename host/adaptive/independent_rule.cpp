@@ -16,7 +16,7 @@ SampleSums sums_of(const Film& film, std::size_t i) {
   return as_numbers(film, film.sum[i], film.sum_square[i], film.replicates[i]);
 }
 
-// Planes: samples and sum when the pixel stopped; further samples for another effect's sake do not count.
+// Planes: samples and sum when the pixel stopped. Samples that it gets later for another effect do not count.
 class CountedPixels : public PixelRule {
  public:
   CountedPixels(double bound, const ErrorTarget& target) : PixelRule(0, bound, target), counts_(target) {}

@@ -24,22 +24,22 @@ class PixelRule {
   virtual ~PixelRule() = default;
   /// Planes of Film::kept that it uses, from the first of its own on.
   virtual std::size_t planes() const { return 1; }
-  /// After each stage: marks those of the pixels with `stage` camera samples that are done. Twice at a stage
-  /// is as good as once.
+  /// After each stage: marks those of the pixels with `stage` camera samples that are done. A second call at
+  /// the same stage changes nothing.
   virtual void look(Film& film, std::uint32_t stage) = 0;
   /// Before samples_needed() and estimate(), if the film has changed since look().
   virtual void prepare(const Film&) {}
-  /// The camera samples that a pixel which goes on will have needed, about.
+  /// About how many camera samples a pixel that goes on will take in all.
   virtual double samples_needed(const Film& film, std::size_t pixel) const = 0;
-  /// estimate()'s, which may cost more.
+  /// The half width of estimate(), which may cost more.
   virtual double half_width(const Film& film, std::size_t pixel) const {
     return estimate(film, pixel).half_width;
   }
-  /// The half width that decides; half_width() if the rule has none of its own.
+  /// The half width by which the rule decides: half_width(), unless it has another.
   virtual double deciding_half_width(const Film& film, std::size_t pixel) const {
     return half_width(film, pixel);
   }
-  /// Of a pixel that is no background, done or not, with at least one sample.
+  /// The estimate of a pixel with at least one sample that is not background; it may be done or not.
   virtual PixelEstimate estimate(const Film& film, std::size_t pixel) const = 0;
 
   bool done(const Film& film, std::size_t pixel) const { return film.kept[plane_][pixel] != 0; }
@@ -87,15 +87,15 @@ std::unique_ptr<PixelRule> independent_rule(const EffectPlan& effect, const Plan
 
 /// For randomised point sequences: the spread of the randomisations' means is their mean's error.
 ///
-/// When a pixel stops is decided by the variance of its neighbours in the 3x3 around it, whose random numbers
-/// are others: so the decision biases neither its estimate nor its interval. Unless its own says that it is
-/// off by a fifth more (in variance): edges.
+/// The variance of its neighbours in the 3x3 around it decides when a pixel stops. They have other random
+/// numbers, so the decision biases neither the pixel's estimate nor its interval. At edges the pixel's own
+/// variance may be larger: it goes on while that is more than 1.2 times the one asked for.
 ///
 /// Few randomisations know their variance badly, so the interval's is moderated by the neighbours' too (Smyth
 /// 2004, "Linear models and empirical Bayes methods", section 3): with v and v0 the two estimates of the
 /// mean's variance, of d = R - 1 and d0 = 8 degrees of freedom, (d v + d0 v0) / (d + d0) has d + d0, and the
-/// interval is Student's. Where nothing varies, it is as wide as one sample makes it that none of the nine
-/// pixels has seen.
+/// interval is Student's. Where nothing varies, the interval is as wide as a single deviating sample would
+/// make it, which none of the nine pixels has seen.
 std::unique_ptr<PixelRule> replicate_rule(const EffectPlan& effect, const Randomisations& randomisations,
                                           const ErrorTarget& target);
 

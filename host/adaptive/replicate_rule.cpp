@@ -7,10 +7,10 @@ namespace nook {
 namespace {
 
 constexpr unsigned degrees_of_neighbours = 8;
-// A pixel's own variance may be so many times the one asked for. 2 lets errors of single pixels be 1.5 times
-// too large; 1 takes 3 to 12 % more samples, and, since the decision then follows the estimate's own samples,
-// biases values as small as the error by .16 standard errors. This takes 1 to 4 % more, and biases none by
-// .1.
+// A pixel's own variance may be at most so many times the one asked for. A factor of 2 lets errors of single
+// pixels be 1.5 times too large. A factor of 1 takes 3 to 12 % more samples than that and, since the decision
+// then follows the estimate's own samples, biases values as small as the error by .16 standard errors. This
+// one takes 1 to 4 % more, and biases none by .1.
 constexpr double own_excess = 1.2;
 // The squared error of an Owen-scrambled sequence falls about like n^-1.25 in four dimensions with edges.
 constexpr double rate = 1.25;
@@ -45,7 +45,7 @@ class ReplicatedPixels : public PixelRule {
   double half_width(const Film& film, std::size_t i) const override {
     const double variance = (degrees_ * variances_[i] + degrees_of_neighbours * variance_around(film, i)) /
                             (degrees_ + degrees_of_neighbours);
-    // An event of probability 1 / (9 n) makes a standard error of 1 / (3 n).
+    // An event of probability 1 / (9 n) has a standard error of 1 / (3 n).
     const double unseen = bound_ / (3.0 * film.camera_samples[i] * film.per_replicate);
     return quantile_ * (variance > 0 ? std::sqrt(variance) : unseen);
   }

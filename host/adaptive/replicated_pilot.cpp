@@ -24,7 +24,8 @@ double ReplicatedPilot::run(const std::function<bool()>& go_on, const Deadline::
     double samples, seconds;
   };
   std::vector<Pace> paces;
-  // Background takes the first stage's samples and no more. (If there is nothing else, the rate is its.)
+  // Background takes the first stage's samples and no more. (If all is background, the rate is that of
+  // these.)
   const auto goes_on = [&](std::uint32_t p) {
     return stage == 0 || background_only_ || session_.films().front().hits[session_.film_index(p)] > 0;
   };
@@ -49,7 +50,7 @@ double ReplicatedPilot::run(const std::function<bool()>& go_on, const Deadline::
     return boxes;
   };
   session_.run(next, [] { return true; });
-  // The last stages are the largest, as those are that a long render spends its time on: small ones leave
+  // The last stages are the largest, like those on which a long render spends its time. Small ones leave
   // threads idle.
   Pace pace{0, 0};
   for (std::size_t last = paces.size() > 3 ? paces.size() - 3 : 0; last < paces.size(); ++last)
@@ -69,7 +70,7 @@ void ReplicatedPilot::remember() {
   }
 }
 
-// Of the pixels' variance: n^-rate.
+// The pixels' variance falls like n^-rate.
 double ReplicatedPilot::rate() const {
   const std::size_t last = half_widths_.size() - 1;
   std::size_t base = 0;  // the last with at most a quarter of the samples

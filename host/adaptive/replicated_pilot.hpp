@@ -17,14 +17,14 @@ class ReplicatedPilot {
   ReplicatedPilot(OcclusionTracer& tracer, const Plan& plan, const ErrorTarget& target,
                   std::vector<std::uint32_t> positions);
 
-  /// Stage by stage until `go_on` says no, at least three. Camera samples a second, of the last three stages,
-  /// which are the largest.
+  /// Runs stage after stage until `go_on` says no, at least three. Returns the camera samples a second of the
+  /// last three stages, which are the largest.
   double run(const std::function<bool()>& go_on, const Deadline::Clock& clock);
 
-  /// Mean camera samples a pixel for another error: the first stage at which its interval was narrow enough,
-  /// or the one that it will be at, along the slope that the pixels' variance fell with.
+  /// The mean over pixels of the camera samples that each needs for another error: those of the first stage
+  /// at which its interval was narrow enough, or else extrapolated along the slope of the pixels' variance.
   double samples_for(double error) const;
-  /// The same for an error at which counts are as cheap (AdaptiveRender::plan_for()).
+  /// The same for an error that is rendered to by counts (AdaptiveRender::plan_for()).
   double samples_as_counts(double error) const;
 
  private:

@@ -37,7 +37,7 @@ double samples_needed(double mean, double mean_square, double bound, double erro
   return root > 0 ? std::max(0.0, (b + std::sqrt(root)) / e2) : 0;
 }
 
-std::vector<std::uint32_t> checkpoints(std::uint32_t first, std::uint32_t last) {
+std::vector<std::uint32_t> stages_from(std::uint32_t first, std::uint32_t last) {
   std::vector<std::uint32_t> stages;
   for (std::uint64_t n = std::min(first, last); n < last; n += std::max<std::uint64_t>(16, n / 128 * 16))
     stages.push_back(std::uint32_t(n));
@@ -46,7 +46,7 @@ std::vector<std::uint32_t> checkpoints(std::uint32_t first, std::uint32_t last) 
 }
 
 CountRule::CountRule(const ErrorTarget& target)
-    : target_(target), z_(target.z()), stages_(checkpoints(target.min_spp, target.max_spp)) {
+    : target_(target), z_(target.z()), stages_(stages_from(target.min_spp, target.max_spp)) {
   for (std::size_t j = 0; j < stages_.size(); ++j) {
     const std::uint32_t n = stages_[j];
     GoingOn next;
@@ -85,10 +85,10 @@ CountRule::Paths CountRule::extend(std::size_t from, std::uint32_t n, std::uint3
   const double mean = k * (m / n);
   const double deviation =
       std::sqrt(std::max(0.0, mean * (1 - double(k) / n) * (n - m) / std::max(1.0, n - 1.0)));
-  const double reach = 9 * deviation + 3;
+  const double spread = 9 * deviation + 3;
   const double end = double(before.first_k) + double(before.paths.size()) - 1;
-  const auto low = std::max({double(before.first_k), std::ceil(mean - reach), double(k) - (double(n) - m)});
-  const auto high = std::min({end, std::floor(mean + reach), double(k), m});
+  const auto low = std::max({double(before.first_k), std::ceil(mean - spread), double(k) - (double(n) - m)});
+  const auto high = std::min({end, std::floor(mean + spread), double(k), m});
   Paths sum;
   if (low > high) return sum;
   double weight = hypergeometric(low, n, k, m);

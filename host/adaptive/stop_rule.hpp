@@ -46,32 +46,31 @@ struct ErrorTarget {
 
 /// The numbers of samples after which pixels are looked at: `first`, then an eighth more each time, in
 /// multiples of 16, up to `last` (included).
-std::vector<std::uint32_t> checkpoints(std::uint32_t first, std::uint32_t last);
+std::vector<std::uint32_t> stages_from(std::uint32_t first, std::uint32_t last);
 
-/// Sequential estimation of a probability from k hits in n samples of 0 or 1: stop at the first checkpoint at
+/// Sequential estimation of a probability from k hits in n samples of 0 or 1: stop at the first stage at
 /// which the estimate's interval is narrow enough.
 ///
-/// Wilson's interval is not symmetric about the estimate; value ± its half width covers .03 in 91 % of the
-/// runs to an error of .0075, and the estimate's standard error is 1.13 times the one asked for. So the half
-/// width is never less than z sqrt(p (1 - p) / n) with p = (k + 2.5) / (n + 5), with which both are right
-/// (exact coverages: tests/unit/stop_rule_test.cpp).
+/// Wilson's interval is not symmetric about the estimate. At a value of .03 and an error of .0075, estimate ±
+/// its half width holds the value in 91 % of the runs, and the estimate's standard error is 1.13 times the
+/// one asked for. So the half width is never less than z sqrt(p (1 - p) / n) with p = (k + 2.5) / (n + 5),
+/// with which both are right (exact shares: tests/unit/stop_rule_test.cpp).
 ///
 /// k/n at the stopping time is biased (by -44 % at p = .05 with a rule that stops on few hits). The unbiased
 /// estimate is that of Girshick, Mosteller and Savage 1946 ("Unbiased estimates for certain binomial sampling
 /// problems with applications"): of all equally likely orders of the samples that reach (n, k) without having
 /// stopped before, the share that starts with a hit. By Rao-Blackwell that is E[k₁/n₁ | n, k] with k₁ the
-/// hits at the first checkpoint; it depends on the rule alone, not on p.
+/// hits at the first stage; it depends on the rule alone, not on p.
 class CountRule {
  public:
   explicit CountRule(const ErrorTarget& target);
 
-  /// n at which pixels are looked at.
+  /// The numbers of samples at which pixels are looked at.
   const std::vector<std::uint32_t>& stages() const { return stages_; }
   /// Whether a pixel with k hits in n samples is accurate enough.
   bool done(std::uint32_t n, std::uint32_t k) const;
-  /// The unbiased estimate for a pixel that was stopped at (n, k), by the rule or, at any n, from outside
-  /// (time, the largest spp) for reasons that do not depend on its samples. k/n for n below the first
-  /// checkpoint.
+  /// The unbiased estimate for a pixel that was stopped at (n, k): by the rule, or at any n from outside
+  /// (time, the largest spp), for reasons that do not depend on its samples. k/n for n below the first stage.
   double estimate(std::uint32_t n, std::uint32_t k) const;
   /// Wilson's.
   Interval interval(std::uint32_t n, std::uint32_t k) const;

@@ -14,7 +14,7 @@
 
 namespace nook {
 
-/// Wall-clock seconds of the parts of a run.
+/// Wall-clock seconds of the stages of a run.
 struct RunSeconds {
   double load = 0, bvh = 0, compile = 0, render = 0, write = 0, total = 0;
   double before_first_ray = 0;  ///< of the total: until the first kernel is launched
@@ -48,7 +48,7 @@ struct RunRecord {
   std::map<std::string, std::string> metadata() const;
 };
 
-/// The part of metadata() that a film's parts add up: rays, rejected samples, seconds of rendering.
+/// Those of metadata() that add up when parts are joined: rays, rejected samples, seconds of rendering.
 std::map<std::string, std::string> count_metadata(const TraceCounts& counts, double render_seconds);
 
 /// Writes the record as JSON (temporary name and rename). Throws Error(output).

@@ -25,7 +25,7 @@ std::vector<double> of_runs(const StudyPoint& point, Get get) {
   return values;
 }
 
-// The camera samples that a level is about, for sorting and for the number of runs.
+// About how many camera samples a level takes, for sorting and for the number of runs.
 double effort(const StudyMethod& method, double level) {
   if (method.family == StudyMethod::Family::adaptive)
     return method.sampler == "independent" ? std::max(16.0, 0.15 / (level * level))
@@ -145,12 +145,12 @@ double Study::expected_seconds(std::size_t p) const {
     if (!points_[q].runs.empty())
       return points_[q].runs.back().wall_seconds * effort(method, points_[p].level) /
              effort(method, points_[q].level);
-  // Nothing is known of the method: its cheapest level comes first.
+  // Nothing is known of the method yet: its cheapest level comes first.
   return p > 0 && slots_[p - 1].method == slots_[p].method ? std::numeric_limits<double>::infinity() : 0;
 }
 
-// The next run is of the point that has had the least time, the run itself included: cheap points have all
-// their runs before dear ones have their second, and points of like cost take turns.
+// The next run is of the point that will have had the least time after it. So cheap points have all their
+// runs before dear ones have their second, and points of like cost take turns.
 bool Study::run(const std::function<bool(const Study&)>& go_on) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();

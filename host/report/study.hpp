@@ -28,7 +28,7 @@ struct StudyMethod {
   std::uint32_t directions = 1;   ///< occlusion rays a camera ray
   std::vector<double> levels;     ///< fixed: spp; adaptive: error asked; ssao: samples. In the order of cost
   bool random = true;             ///< otherwise runs differ in time alone
-  double predicted_variance = 0;  ///< of one sample, the mean over pixels; 0: there is none
+  double predicted_variance = 0;  ///< of one sample, the mean over pixels; 0: not predicted
   std::string prediction;         ///< the formula, or how else it was predicted
   std::function<StudyPicture(double level, std::uint32_t seed)> render;
 };
@@ -47,7 +47,7 @@ struct StudyRun {
   double rays = 0;
   double mean_square_error = 0;  ///< less the reference's mean variance: unbiased, and so perhaps negative
   double mean_error = 0;
-  double covered = -1;       ///< share of pixels whose 95 % interval holds the reference; -1: no variance
+  double covered = -1;       ///< share of pixels whose 95 % interval holds the reference; -1: no intervals
   double error_claimed = 0;  ///< root mean square of the claimed standard errors
 };
 

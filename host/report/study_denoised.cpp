@@ -27,7 +27,7 @@ StudyMethod StudyScene::denoised(std::uint32_t max_spp) const {
   method.sampling = name_of(sampling);
   method.sampler = name_of(Sampler::sobol);
   method.name = "denoised " + method.sampling + " " + method.sampler;
-  // Of fewer samples the variance that steers the filter is not known.
+  // With fewer samples the variance that steers the filter is not known.
   for (std::uint32_t spp = 4; spp <= std::min(max_spp, 256u); spp *= 4) method.levels.push_back(spp);
   struct Prepared {
     Plan plan;

@@ -52,8 +52,8 @@ json of_summary(const StudyPoint& point) {
           {"mean_error", s.mean_error}};
 }
 
-// log error against log cost over the points from 4 samples on, where the noise and not the overhead of a
-// launch is seen.
+// Log error against log cost, over the points from 4 samples on: with fewer, the overhead of a launch hides
+// the noise.
 json fit(const std::vector<CostPoint>& curve) {
   std::vector<double> x, y;
   for (const CostPoint& point : curve)

@@ -19,7 +19,7 @@ double rmse(const std::vector<float>& image, const StudyReference& reference) {
   return std::sqrt(std::max(0.0, (sum - variance) / double(image.size())));
 }
 
-// As even as the method likes its numbers of samples: whole, and a power of two for point sets.
+// Rounds a number of samples as the method likes it: to a whole number, for point sets to a power of two.
 double whole_level(const StudyMethod& method, double spp) {
   if (method.sampler == "independent") return std::clamp(std::round(spp), 1.0, 8192.0);
   return std::exp2(std::clamp(std::round(std::log2(std::max(spp, 1.0))), 0.0, 13.0));
@@ -50,8 +50,8 @@ Shown show(const StudyMethod& method, double level, std::uint32_t seed, const St
   return shown;
 }
 
-// A second try where the first was off by more than a fifth: the levels that lead to a time or an error are
-// known only roughly before.
+// Tries a second time where the first was off by more than a fifth: before, it is known only roughly which
+// level leads to a time or an error.
 Shown show_near(const StudyMethod& method, double level, std::uint32_t seed, const StudyReference& reference,
                 const std::string& group, double wanted, double Shown::*measured) {
   Shown first = show(method, level, seed, reference, group);
@@ -78,7 +78,7 @@ std::vector<GalleryPicture> make_gallery(const StudyScene& scene, double seconds
 
   std::vector<GalleryPicture> pictures = {
       {"reference", "reference", fmt::format("{} spp", reference.spp), reference.image, {}}};
-  // No less than what an adaptive render takes at least.
+  // At least as many as the least that an adaptive render takes.
   const Shown in_time = show(best, gallery_spp, seed, reference, "equal time"),
               to_error = show(best, gallery_spp, seed, reference, "equal error");
   std::vector<GalleryPicture> equal_time, equal_error;

@@ -13,9 +13,9 @@ struct GalleryPicture {
   std::vector<std::uint32_t> samples;  ///< may be empty
 };
 
-/// Pictures of one scene by the plainest and the best methods, each given as long as the best one takes for
-/// 128 samples a pixel, and each taken to the error that it has with these, where that can be afforded; in
-/// about `seconds`, half of them for the reference.
+/// Pictures of one scene by the plainest and the best methods, at equal time and at equal error: the time
+/// that the best one takes for 128 samples a pixel, and the error that it then has, where others can afford
+/// it. All takes about `seconds`, half of them for the reference.
 std::vector<GalleryPicture> make_gallery(const StudyScene& scene, double seconds, std::uint32_t seed);
 
 }  // namespace nook

@@ -12,7 +12,8 @@
 
 namespace nook {
 
-/// What a study compares; empty lists: a choice that shows each effect of the choice once.
+/// What a study compares. Empty lists stand for a default: every sampler with the best distribution, and
+/// every distribution with two samplers.
 struct StudyChoice {
   std::vector<Sampling> samplings;
   std::vector<Sampler> samplers;
@@ -44,8 +45,8 @@ class StudyScene {
   /// Cosine (RO: lobe) and Sobol' through image/denoise.hpp.
   StudyMethod denoised(std::uint32_t max_spp) const;
 
-  /// 16 independent scrambles of Halton's sequence (no method's random numbers: the seeds are others),
-  /// doubled for about `seconds`; the variance is measured between the scrambles.
+  /// 16 independent scrambles of Halton's sequence, with seeds that no method has. Their samples are doubled
+  /// until about `seconds` have passed; the variance is measured between the scrambles.
   StudyReference reference(double seconds) const;
 
   /// Camera samples a second of the cosine (RO: lobe) estimator, from a run of a fraction of a second.
@@ -71,8 +72,8 @@ class StudyScene {
   Plan plan_;
 };
 
-/// The camera samples that a study of these methods takes for each pixel, about: what its picture's size
-/// follows from.
+/// About how many camera samples a study of these methods takes for each pixel. The size of its picture
+/// follows from that.
 double samples_per_pixel(const std::vector<StudyMethod>& methods);
 
 }  // namespace nook

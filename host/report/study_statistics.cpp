@@ -12,9 +12,9 @@ Band mean_band(std::span<const double> values, double confidence) {
   const double mean = sum / n;
   if (values.size() < 2) return {mean, mean, mean};
   for (const double v : values) square += (v - mean) * (v - mean);
-  const double reach =
+  const double half_width =
       student_quantile(confidence, unsigned(values.size() - 1)) * std::sqrt(square / (n - 1) / n);
-  return {mean, mean - reach, mean + reach};
+  return {mean, mean - half_width, mean + half_width};
 }
 
 Band root(const Band& b) {

@@ -37,9 +37,9 @@ struct Cost {
   double value = 0;
   bool extrapolated = false;  ///< beyond the dearest point, along the curve's slope
 };
-/// The cost at which a curve (cost ascending) reaches `error`: by log-log interpolation at the first point
-/// that does, or up to four times the dearest point's cost along the fitted slope; nullopt if it would take
-/// more, or the curve does not fall. Where the cheapest point is accurate enough already, its cost.
+/// The cost at which a curve (cost ascending) falls to `error`: by log-log interpolation at the first point
+/// that does, or else along the fitted slope, up to four times the dearest point's cost. nullopt if it would
+/// take more, or the curve does not fall. If the cheapest point is accurate enough already, its cost.
 std::optional<Cost> cost_of_error(std::span<const CostPoint> curve, double error);
 
 /// The mean over pixels of E[e_a e_b] for different runs a, b: the squared bias (plus the reference's

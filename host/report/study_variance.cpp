@@ -39,10 +39,11 @@ StudyScene::Moments StudyScene::moments(Sampling sampling, float exponent) const
 // of cosines. AO: kernels/effect/ambient.cl, M = E[V cos θ] = half of a hemisphere sample's second moment. RO
 // with exponent n, mirror direction r: let
 //   S_m = 1/2π ∫ (r·ω)^m (N·ω)² V dω,
-// then a lobe sample's second moment is (n+2)²/(n+1) S_n; those of samples that know nothing of the lobe are
-// those of a lobe twice as narrow: cosine (n+2)²/(4(n+1)) RO_2n, hemisphere (n+2)² S_2n, sphere 2 (n+2)²
-// S_2n. Lobes of exponents n and 2n measure these. The balance heuristic's has no such form, nor have samples
-// with a falloff or with an exponent that each material chooses: their own second moment is taken.
+// then a lobe sample's second moment is (n+2)²/(n+1) S_n. Those of samples that know nothing of the lobe
+// follow from a lobe of twice the exponent: cosine (n+2)²/(4(n+1)) RO_2n, hemisphere (n+2)² S_2n, sphere 2
+// (n+2)² S_2n. Lobes of exponents n and 2n measure these. The balance heuristic has no such form. Neither
+// have samples with a falloff or with an exponent that each material chooses: their own second moment is
+// measured.
 void StudyScene::predict(std::vector<StudyMethod>& methods) const {
   const Effect& effect = plan_.effects.front().effect;
   const bool ro = effect.kind == EffectKind::ro;

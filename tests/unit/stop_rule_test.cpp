@@ -79,9 +79,9 @@ TEST(SamplesNeeded, MeetsTheTarget) {
 }
 
 TEST(Checkpoints, GrowByAnEighthAndEndAtTheLast) {
-  EXPECT_EQ(checkpoints(16, 64), (std::vector<std::uint32_t>{16, 32, 48, 64}));
-  EXPECT_EQ(checkpoints(500, 700), (std::vector<std::uint32_t>{500, 548, 612, 676, 700}));
-  EXPECT_EQ(checkpoints(100, 50), std::vector<std::uint32_t>{50});
+  EXPECT_EQ(stages_from(16, 64), (std::vector<std::uint32_t>{16, 32, 48, 64}));
+  EXPECT_EQ(stages_from(500, 700), (std::vector<std::uint32_t>{500, 548, 612, 676, 700}));
+  EXPECT_EQ(stages_from(100, 50), std::vector<std::uint32_t>{50});
 }
 
 TEST(CountRule, TheEstimateIsUnbiased) {
@@ -166,7 +166,7 @@ TEST(CountRule, IntervalsOfRareEventsAreWide) {
   }
 }
 
-// The samples taken are those that a fixed number would need, give or take the steps between the checkpoints.
+// The samples taken are those that a fixed number would need, give or take the steps between the stages.
 TEST(CountRule, TakesNoMoreThanItNeeds) {
   const CountRule rule({.error = .01});
   for (const double p : {.05, .2, .5, .8, .95}) {
