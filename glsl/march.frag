@@ -1,9 +1,9 @@
 // Ambient occlusion by marching: N directions, cosine-weighted, so that
 //   AO(x) = 1/pi int V(x, w) cos(theta) dw  ~  1/N sum_i V(x, w_i).
-// Each is followed through the buffer up to the radius in STEPS steps, the last at the radius itself, shorter near x. A step at inverse depth w over the
-// pixel with front layer f and back layer b is inside a solid if b < w < f; f is the value of that pixel's tangent
-// plane at the step's own position, so that a surface never occludes itself however steeply it is seen. Without a back
-// layer (an open sheet) everything behind the front layer is solid.
+// Each is followed through the buffer up to the radius in STEPS steps, which are shorter near x; the last is at the
+// radius itself. A step at inverse depth w over the pixel with front layer f and back layer b is inside a solid if
+// b < w < f. f is the value of that pixel's tangent plane at the step's own position, so that a surface never occludes
+// itself however steeply it is seen. Without a back layer (an open sheet) everything behind the front layer is solid.
 // Rules: background pixels are 0 with coverage 0; a ray that leaves the buffer or passes the eye is open.
 layout(location = 0) out vec4 result;  // AO, inverse depth
 

@@ -1,10 +1,11 @@
-// What of each pixel's view ray is solid, from its faces in the order of depth (host/ssao/geometry_pass.hpp). A front face opens a
-// solid and the back face that closes it follows: as brackets they pair off,
-//   ( ( ) )  of parts that lie or pass into one another: one solid from the first to the last,
+// What of each pixel's view ray is solid, from its faces in the order of depth (host/ssao/geometry_pass.hpp). A front
+// face opens a solid, and the back face that closes it follows. They pair off as brackets do:
+//   ( ( ) )  bodies that lie or pass into one another: one solid from the first to the last,
 //   ( (  )   a face too many: the open sheet in front, and a solid.
-// A face without a partner is a sheet; so is a back face that nothing opened, seen from inside. Behind the last face of all nothing is known: if it
-// opens a solid, that has no end. Sheets and solids are made as thick as a ray's step, or it would step over them: away from the side that the
-// face looks to. Solids that overlap are one; the first three of a ray are kept.
+// A face without a partner is a sheet. So is a back face that nothing opened, seen from inside. Behind the last face of
+// all nothing is known: if it opens a solid, that has no end. Sheets and solids are made as thick as a ray's step, away
+// from the side that the face looks to, or the ray would step over them. Solids that overlap are one; the first three
+// of a ray are kept.
 layout(location = 0) out vec4 result;   // inverse depth of what is visible, its gradient, inverse depth where its solid ends; 0: nowhere
 layout(location = 1) out vec4 result2;  // the second solid's beginning and end, the third's
 

@@ -123,8 +123,8 @@ __kernel void occlusion(BVH_PARAMS OCCLUSION_ARGUMENTS(IN_PARAM, OUT_PARAM, VALU
         const uint together = (end == 32u ? 0xffffffffu : (1u << end) - 1u) & 0xffffffffu << j;
         // What was in reach of the first directions is in reach.
         const uint out = together & ~free ? 0u
-                                          : unreached_rays(nodes, leaves AND_INSTANCE_ARGS, first_of_group, &asked, together, count, &origins,
-                                                           &directions, active, &p);
+                                          : unreached_rays(nodes, leaves AND_INSTANCE_ARGS, first_of_group, &asked,
+                                                           together, count, &origins, &directions, active, &p);
         if (!out) free &= ~together;
         result[item[j]].rays -= popcount(out);
         unreached |= out;

@@ -143,8 +143,9 @@ INLINE void offset_origin(Vector p0, Vector p1, Vector p2, float u, float v, Vec
   const float error = gamma7 * (fabs(geometric_normal.x) * (fabs(a.x) + fabs(b.x) + fabs(c.x)) +
                                 fabs(geometric_normal.y) * (fabs(a.y) + fabs(b.y) + fabs(c.y)) +
                                 fabs(geometric_normal.z) * (fabs(a.z) + fabs(b.z) + fabs(c.z)));
-  const float of_intersection = 9.536743e-7f * greater(greater(extent_about(p0.x, p1.x, p2.x, point.x), extent_about(p0.y, p1.y, p2.y, point.y)),
-                                                       extent_about(p0.z, p1.z, p2.z, point.z));  // 16 e
+  const float of_intersection =
+      9.536743e-7f * greater(greater(extent_about(p0.x, p1.x, p2.x, point.x), extent_about(p0.y, p1.y, p2.y, point.y)),
+                             extent_about(p0.z, p1.z, p2.z, point.z));  // 16 e
   const float distance = side < 0.0f ? -(error + of_intersection) : error + of_intersection;
   origin->x = moved_on(point.x, distance * geometric_normal.x);
   origin->y = moved_on(point.y, distance * geometric_normal.y);

@@ -20,7 +20,9 @@ float placed_plane(__global const BvhNode* node, uint lane, __global const float
 }
 
 // A child of an item that is not a leaf of triangles: its box in the world; false if the lane has none. open_node() for one child.
-bool open_child(__global const BvhNode* nodes, __global const TriangleLeaf* leaves, __global const PlacedMesh* instances, uint item, uint instance, uint lane, float3* lo, float3* hi, uint* child, uint* child_instance) {
+bool open_child(__global const BvhNode* nodes, __global const TriangleLeaf* leaves,
+                __global const PlacedMesh* instances, uint item, uint instance, uint lane, float3* lo, float3* hi,
+                uint* child, uint* child_instance) {
   *child_instance = instance;
   if (instance == NO_INSTANCE && (item & BVH_LEAF)) {
     __global const TriangleLeaf* leaf = &leaves[item & ~BVH_LEAF];
