@@ -14,6 +14,7 @@
 #include "image/png.hpp"
 #include "mesh/obj_loader.hpp"
 #include "plan/plan.hpp"
+#include "plan/scene_camera.hpp"
 #include "scene/names.hpp"
 #include "scene/scene_toml.hpp"
 #include "ssao/ssao.hpp"
