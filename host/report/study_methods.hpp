@@ -35,8 +35,9 @@ class StudyScene {
   int height() const { return scene_.height; }
   const EffectPlan& effect() const { return plan_.effects.front(); }
 
-  /// The methods; their kernels are built before their first run. This must outlive them.
-  std::vector<StudyMethod> methods(const StudyChoice& choice) const;
+  /// The methods; their kernels are built before their first run. This must outlive them. `warning`: what is
+  /// left out that was asked for, in one line.
+  std::vector<StudyMethod> methods(const StudyChoice& choice, std::string* warning = nullptr) const;
   /// One of them.
   StudyMethod path_traced(Sampling sampling, Sampler sampler, std::uint32_t directions,
                           std::uint32_t max_spp) const;

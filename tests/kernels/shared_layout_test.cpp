@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "device/kernel_source.hpp"
 #include "kernels/shared/bvh.h"
 #include "kernels/shared/camera.h"
 #include "kernels/shared/cut_out.h"

@@ -6,16 +6,12 @@
 #include <optional>
 
 #include "app/commands.hpp"
+#include "app/commands/render_job.hpp"
 #include "app/commands/render_report.hpp"
 #include "app/commands/turntable.hpp"
 #include "app/interrupt.hpp"
-#include "app/options/loading.hpp"
-#include "app/options/picture_scene.hpp"
-#include "app/options/render_options.hpp"
-#include "app/progress.hpp"
 #include "base/error.hpp"
 #include "base/libraries.hpp"
-#include "base/stopwatch.hpp"
 #include "image/exr.hpp"
 #include "image/png.hpp"
 #include "plan/scene_camera.hpp"
@@ -23,77 +19,11 @@
 #include "render/scene_renderer.hpp"
 #include "report/run_record.hpp"
 #include "scene/scene_writer.hpp"
-#include "ssao/gl_context.hpp"
-#include "trace/deadline.hpp"
 
 namespace nook {
 namespace {
 
 namespace fs = std::filesystem;
-
-// What is asked for, checked before anything is loaded.
-struct Job {
-  const RenderOptions& options;
-  double start = Deadline::steady_seconds();
-  Stopwatch whole;
-  PictureOrigin origin;  // where a picture is the scene
-  std::vector<std::string> aovs;
-  ProgressMode progress = ProgressMode::none;
-  std::optional<Share> shard;
-  fs::path part_file, output;
-};
-
-// What a picture was made of. With overrides its scene makes another picture.
-PictureOrigin origin_of(const RenderOptions& options) {
-  if (!is_picture(options.scene.scene)) return {};
-  PictureOrigin origin = origin_of_picture(options.scene.scene);
-  const TargetOptions& target = options.target;
-  origin.again = options.scene.given().empty() && !options.scene.size && options.scene.crop.empty() &&
-                 !target.error && !target.seconds && !target.confidence && !target.min_spp &&
-                 !target.max_spp && options.turntable == 0;
-  if (origin.again && !origin.why_not.empty())
-    throw Error(ExitCode::scene,
-                fmt::format("{}: cannot be made again: {}; --print-config prints its scene, --spp renders it",
-                            options.scene.scene.string(), origin.why_not));
-  return origin;
-}
-
-Job checked(Scene& scene, const RenderOptions& options) {
-  Job job{options, Deadline::steady_seconds(), {}, origin_of(options), options.aovs, {}, {}, {}, {}};
-  if (job.aovs.empty()) job.aovs = job.origin.aovs;
-  parse_aovs(job.aovs);
-  job.progress = parse_progress(options.progress);
-  if (options.quiet) job.progress = ProgressMode::none;
-  if (!options.stats.empty()) {
-    keep_inputs(scene, options.stats);
-    check_writable(options.stats);
-  }
-  scene.stop = options.check(scene);
-  check_memory(scene, job.aovs.size(), scene.stop.error ? largest_rule_bytes : 0);
-  job.shard = options.checkpoints.share();
-  job.part_file = options.checkpoints.file(options.scene.scene, options.output);
-  if (!job.part_file.empty()) check_writable(job.part_file);
-  job.output = job.shard ? job.part_file : options.picture_file();
-  keep_inputs(scene, job.output);
-  check_writable(job.output);
-  return job;
-}
-
-SceneRenderer make_renderer(const Scene& scene, const RenderOptions& options,
-                            const std::vector<std::string>& channels) {
-  const AovRequest aovs = parse_aovs(channels);
-  const bool alone = is_ssao_alone(scene);
-  options.device.prepare(!alone);
-  if (alone) limit_gl_threads(options.device.threads);
-  SceneRendererOptions made;
-  made.threads = options.device.threads;
-  made.surface = aovs.needs_surface();
-  made.attributes = needed_attributes(scene, alone ? aovs.normal : made.surface);
-  SceneRenderer renderer(
-      scene, [device = options.device] { return device.open(); }, std::move(made));
-  warn_of(renderer.mesh());
-  return renderer;
-}
 
 // What a part says of its run. It holds the samples before the denoiser, which `nook merge` does not run.
 FilmPart::Texts as_texts(const RunRecord& record, const Scene& scene) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/commands.hpp"
+#include "app/commands/study_reference.hpp"
 #include "app/interrupt.hpp"
 #include "app/options/loading.hpp"
 #include "app/options/scene_options.hpp"
@@ -67,53 +68,6 @@ std::pair<int, int> size_of(const Scene& scene, double pixels) {
   const double scale = std::min(1.0, std::sqrt(pixels / (double(scene.width) * scene.height)));
   return {std::max(8, int(std::lround(scene.width * scale))),
           std::max(8, int(std::lround(scene.height * scale)))};
-}
-
-StudyReference given_reference(const fs::path& file, int width, int height) {
-  const Image image = read_exr(file);
-  if (image.width != width || image.height != height)
-    throw Error(ExitCode::scene, fmt::format("{}: is {}x{}, the study is {}x{} (--size sets it)",
-                                             file.string(), image.width, image.height, width, height));
-  const auto plane = [&](const char* name) -> const std::vector<float>* {
-    const Channel* channel = image.find(name);
-    return channel ? std::get_if<std::vector<float>>(&channel->values) : nullptr;
-  };
-  if (!plane("R")) throw Error(ExitCode::scene, fmt::format("{}: has no channel R", file.string()));
-  StudyReference reference;
-  reference.image = *plane("R");
-  if (const auto* variance = plane("AO.variance")) reference.variance = *variance;
-  reference.description = file.string();
-  if (const auto spp = image.metadata.find("nook/spp"); spp != image.metadata.end())
-    reference.spp = std::strtoull(spp->second.c_str(), nullptr, 10);
-  return reference;
-}
-
-// DIR/reference.exr, if it is of this study; otherwise made and kept there.
-StudyReference cached_reference(const StudyScene& scene, const fs::path& file, const std::string& identity,
-                                double seconds) {
-  std::error_code code;
-  if (fs::exists(file, code)) {
-    const Image image = read_exr(file);
-    const auto made_for = image.metadata.find("nook/study");
-    if (made_for != image.metadata.end() && made_for->second == identity) {
-      StudyReference reference = given_reference(file, scene.width(), scene.height());
-      reference.description = image.metadata.at("nook/description");
-      reference.seconds = std::strtod(image.metadata.at("nook/seconds_render").c_str(), nullptr);
-      return reference;
-    }
-  }
-  StudyReference reference = scene.reference(seconds);
-  Image image;
-  image.width = scene.width();
-  image.height = scene.height();
-  for (const char* channel : {"R", "G", "B"}) image.channels.push_back({channel, reference.image});
-  image.channels.push_back({"AO.variance", reference.variance});
-  image.metadata = {{"nook/study", identity},
-                    {"nook/description", reference.description},
-                    {"nook/spp", std::to_string(reference.spp)},
-                    {"nook/seconds_render", fmt::format("{:.3f}", reference.seconds)}};
-  write_exr(file, image);
-  return reference;
 }
 
 std::string distance_text(const EffectPlan& effect) {
@@ -211,8 +165,11 @@ int study(const StudyOptions& options) {
           : given_reference(options.reference, size.first, size.second);
   say(fmt::format("reference: {}", reference.description));
 
+  std::string left_out;
+  std::vector<StudyMethod> methods = at_size.methods(choice, &left_out);
+  if (!left_out.empty()) fmt::print(stderr, "warning: {}\n", left_out);
   Study made(
-      at_size.methods(choice), std::move(reference),
+      std::move(methods), std::move(reference),
       {.seconds = std::max(0.1, (1 - gallery_share) * options.budget - elapsed()), .seed = scene.seed + 1});
   made.resume(read_study_points(json, facts, identity));
   say(fmt::format("{} methods, {:.0f} % of their runs are there", made.methods().size(),
