@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "mesh/corner_order.hpp"
 
 namespace nook {
 namespace {
@@ -43,6 +44,7 @@ TriangleMesh mesh_of_arrays(std::span<const float> positions, std::span<const st
     mesh.triangles[i / 3][i % 3] = triangles[i];
     mesh.bounds.add(mesh.positions[triangles[i]]);
   }
+  end_with_longest_edges(mesh);
   if (!mesh.normals.empty()) {
     mesh.triangle_normals = mesh.triangles;
     for (auto& corners : mesh.triangle_normals)
