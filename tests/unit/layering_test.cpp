@@ -124,6 +124,12 @@ TEST(Layering, FindsWhatIsForbidden) {
             "a.cpp:3: ssao must not include device/\n");
 }
 
+TEST(Layering, TheGuideHasTheSameOrder) {
+  std::string order;
+  for (const std::string& room : rooms()) order += (order.empty() ? "" : ", ") + room;
+  EXPECT_NE(text_of(root / "CONTRIBUTING.md").find("\n    " + order + "\n"), std::string::npos) << order;
+}
+
 TEST(Layering, ScreenSpaceKnowsNothingOfOpenCl) {
   EXPECT_FALSE(allowed_includes().at("ssao").contains("device"));
 }
