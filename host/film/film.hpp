@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace nook {
@@ -27,6 +29,9 @@ struct Film {
   /// What a stop rule remembers of each pixel, a plane each (trace/session.hpp, adaptive/pixel_rule.hpp); not
   /// sums: films with such planes are not added.
   std::vector<std::vector<std::uint64_t>> kept;
+
+  /// What the effect was, by the keys' names and values: what the sums mean may depend on it.
+  std::map<std::string, std::string> settings;
 
   Film() = default;
   /// Throws std::bad_alloc.

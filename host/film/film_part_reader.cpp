@@ -91,6 +91,9 @@ std::string from_json(const nlohmann::json& json, FilmPart& part, Extent& extent
     if (!is_power_of_two(made.sum_scale) || !is_power_of_two(made.square_scale) || made.per_replicate == 0)
       return "a film's scale is impossible";
   }
+  const auto settings = json.at("settings").get<std::vector<std::map<std::string, std::string>>>();
+  if (settings.size() != part.films.size()) return "its films are not as many as their settings";
+  for (std::size_t f = 0; f < settings.size(); ++f) part.films[f].settings = settings[f];
   for (const auto& name : json.at("surface").get<std::vector<std::string>>())
     part.surface.push_back({name, std::vector<float>()});
   extent.first = whole_number("first_pixel", 0xffffffffu);

@@ -38,9 +38,11 @@ nlohmann::json to_json(const FilmPart& part, const Extent& extent) {
   json["finished"] = part.finished;
   json["counts"] = {part.counts.camera_rays, part.counts.occlusion_rays, part.counts.rejected};
   json["render_seconds"] = part.render_seconds;
-  for (const Film& film : part.films)
+  for (const Film& film : part.films) {
     json["films"].push_back(
         {film.sum_scale, film.square_scale, film.per_replicate, film.extra.size(), film.kept.size()});
+    json["settings"].push_back(film.settings);
+  }
   json["first_pixel"] = extent.first;
   json["pixels"] = extent.count;
   json["held_boxes"] = part.held.size();

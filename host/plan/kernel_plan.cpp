@@ -1,5 +1,9 @@
 #include "plan/kernel_plan.hpp"
 
+#include <algorithm>
+
+#include "scene/effect_keys.hpp"
+
 namespace nook {
 
 KernelPlan primary_kernel(const Plan& plan) {
@@ -19,10 +23,15 @@ KernelPlan occlusion_kernel(const Plan& plan, const EffectPlan& effect) {
       .define("REPLICATE_DIRECTIONS", plan.replicate_directions);
   const Effect& e = effect.effect;
   if (e.kind == EffectKind::ro && e.exponent_of_material) kernel.options.define("EXPONENT_OF_MATERIAL", 1);
-  if (e.falloff != Falloff::none) kernel.options.define("FALLOFF", long(e.falloff));
+  for (const Key<Effect>& key : effect_keys()) {
+    if (key.info.define.empty() || !key.info.readers.contains(e.kind)) continue;
+    const auto words = key.info.domain.words;
+    const std::string word = plain_text(key.field.get(e));
+    const long number = std::find(words.begin(), words.end(), word) - words.begin();
+    if (number != 0) kernel.options.define(std::string(key.info.define), number);
+  }
   if (e.min_distance > 0) kernel.options.define("MIN_DISTANCE", 1);
   if (e.kind != EffectKind::ro && e.cone_angle < 90) kernel.options.define("CONE", 1);
-  if (e.side != Side::normal) kernel.options.define("SIDE", long(e.side));
   if (e.kind == EffectKind::bent) kernel.options.define("BENT", 1);
   if (effect.reach) kernel.options.define("REACH", 1);
   if (!effect.receivers.empty()) kernel.options.define("RECEIVERS", 1);

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "plan/scene_camera.hpp"
+#include "scene/effect_keys.hpp"
 #include "scene/layer_names.hpp"
 #include "scene/names.hpp"
 
@@ -70,8 +71,7 @@ void check(const Scene& scene, const EffectPlan& planned) {
            "\" needs a max_distance above 0, and a finite one");
   if (effect.min_distance > 0 && !(effect.min_distance < planned.max_distance))
     reject("min_distance must be below max_distance");
-  if (effect.cone_angle < 90 && effect.sampling == Sampling::sphere)
-    reject("cone_angle needs sampling_type cosine or hemisphere");
+  if (const auto conflict = conflict_of(effect)) reject(std::string(conflict->key) + " " + conflict->what);
 }
 
 }  // namespace
@@ -81,6 +81,13 @@ Effect EffectPlan::resolved() const {
   known.max_distance = std::isinf(max_distance) ? DistanceLimit{DistanceLimit::Kind::none, 0}
                                                 : DistanceLimit{DistanceLimit::Kind::value, max_distance};
   return known;
+}
+
+std::map<std::string, std::string> EffectPlan::settings() const {
+  std::map<std::string, std::string> texts;
+  for (const auto& [key, value] : settings_of(resolved()))
+    texts[std::string(key->recorded_as())] = plain_text(value);
+  return texts;
 }
 
 std::string EffectPlan::label() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,8 @@ struct EffectPlan {
   Effect resolved() const;
   /// "contact", or "ao" without a name: for reports.
   std::string label() const;
+  /// Every setting of resolved(), as records name it: for Film::settings.
+  std::map<std::string, std::string> settings() const;
   /// Planes of Film::extra.
   std::size_t extra_planes() const { return effect.kind == EffectKind::bent ? 3 : 0; }
 };

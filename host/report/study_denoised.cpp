@@ -5,6 +5,7 @@
 
 #include "picture/denoise_picture.hpp"
 #include "report/study_methods.hpp"
+#include "scene/effect_keys.hpp"
 #include "scene/names.hpp"
 #include "trace/occlusion_tracer.hpp"
 
@@ -21,8 +22,7 @@ double rays_of(const RenderCounters& counters) {
 
 // The time counted is that of the samples, of the surface under the pixels and of the filter.
 StudyMethod StudyScene::denoised(std::uint32_t max_spp) const {
-  const Sampling sampling =
-      plan_.effects.front().effect.kind == EffectKind::ro ? Sampling::lobe : Sampling::cosine;
+  const Sampling sampling = samplings_of(plan_.effects.front().effect).front();
   StudyMethod method;
   method.sampling = name_of(sampling);
   method.sampler = name_of(Sampler::sobol);

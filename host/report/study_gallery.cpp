@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/effect_keys.hpp"
+
 namespace nook {
 namespace {
 
@@ -69,7 +71,7 @@ Shown show_near(const StudyMethod& method, double level, std::uint32_t seed, con
 
 std::vector<GalleryPicture> make_gallery(const StudyScene& scene, double seconds, std::uint32_t seed) {
   const bool ro = scene.effect().effect.kind == EffectKind::ro;
-  const Sampling best_sampling = ro ? Sampling::lobe : Sampling::cosine;
+  const Sampling best_sampling = samplings_of(scene.effect().effect).front();
   const StudyReference reference = scene.reference(0.5 * seconds);
   const StudyMethod best = scene.path_traced(best_sampling, Sampler::sobol, 1, 1024);
   const std::vector<StudyMethod> others = {

@@ -8,6 +8,7 @@
 
 #include "adaptive/adaptive.hpp"
 #include "base/error.hpp"
+#include "scene/effect_keys.hpp"
 #include "scene/names.hpp"
 #include "ssao/ssao.hpp"
 #include "trace/occlusion_tracer.hpp"
@@ -126,8 +127,7 @@ StudyMethod StudyScene::path_traced(Sampling sampling, Sampler sampler, std::uin
 
 StudyMethod StudyScene::adaptive(Sampler sampler) const {
   StudyMethod method;
-  const Effect& effect = plan_.effects.front().effect;
-  const Sampling sampling = effect.kind == EffectKind::ro ? Sampling::lobe : Sampling::cosine;
+  const Sampling sampling = samplings_of(plan_.effects.front().effect).front();
   method.name = std::string("adaptive ") + std::string(name_of(sampler));
   method.family = StudyMethod::Family::adaptive;
   method.sampling = name_of(sampling);
@@ -187,9 +187,8 @@ StudyMethod StudyScene::screen_space(SsaoSettings::Method kind,
 std::vector<StudyMethod> StudyScene::methods(const StudyChoice& choice, std::string* warning) const {
   const EffectPlan& effect = plan_.effects.front();
   const bool ro = effect.effect.kind == EffectKind::ro;
-  const std::vector<Sampling> all_samplings =
-      ro ? std::vector{Sampling::lobe, Sampling::mixture, Sampling::cosine}
-         : std::vector{Sampling::cosine, Sampling::hemisphere, Sampling::sphere};
+  std::vector<Sampling> all_samplings = samplings_of(effect.effect);
+  all_samplings.resize(std::min<std::size_t>(3, all_samplings.size()));  // RO: none worse than the cosine
   const std::vector<Sampler> all_samplers = {Sampler::independent, Sampler::stratified, Sampler::halton,
                                              Sampler::sobol, Sampler::zorder};
   const bool chosen = !choice.samplings.empty() || !choice.samplers.empty();

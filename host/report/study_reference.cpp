@@ -6,6 +6,7 @@
 
 #include "base/stopwatch.hpp"
 #include "report/study_methods.hpp"
+#include "scene/effect_keys.hpp"
 #include "scene/names.hpp"
 #include "trace/occlusion_tracer.hpp"
 
@@ -18,8 +19,7 @@ constexpr std::uint32_t reference_scrambles = 16;
 
 StudyReference StudyScene::reference(double seconds) const {
   const Stopwatch watch;
-  const Sampling sampling =
-      plan_.effects.front().effect.kind == EffectKind::ro ? Sampling::lobe : Sampling::cosine;
+  const Sampling sampling = samplings_of(plan_.effects.front().effect).front();
   const Plan plan = plan_with(sampling, Sampler::halton, 1);
   OcclusionTracer tracer(device_, plan, mesh_, bvh_);
   const std::vector<std::uint32_t> order = pixels_in_order(plan.window, plan.width);
@@ -54,8 +54,7 @@ StudyReference StudyScene::reference(double seconds) const {
 }
 
 double StudyScene::samples_per_second() const {
-  const Sampling sampling =
-      plan_.effects.front().effect.kind == EffectKind::ro ? Sampling::lobe : Sampling::cosine;
+  const Sampling sampling = samplings_of(plan_.effects.front().effect).front();
   const StudyMethod method = path_traced(sampling, Sampler::sobol, 1, 16);
   method.render(16, 1);
   const StudyPicture picture = method.render(16, 2);

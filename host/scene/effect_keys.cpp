@@ -89,14 +89,16 @@ const Key<Effect> keys[] = {
     {{.name = "falloff",
       .domain = choice<falloff_names>(),
       .readers = traced_kinds,
-      .help = "how an occluder's distance counts; needs a finite max_distance"},
+      .help = "how an occluder's distance counts; needs a finite max_distance",
+      .define = "FALLOFF"},
      field<Effect, &Effect::falloff>()},
     {{.name = "side",
       .domain = choice<side_names>(),
       .readers = traced_kinds,
       .help =
           "`normal`: the shading normal's side; `inside`: the other, for thickness; `viewer`: the side that "
-          "the camera sees"},
+          "the camera sees",
+      .define = "SIDE"},
      field<Effect, &Effect::side>()},
     {{.name = "cone_angle",
       .domain = {.lo = 0, .hi = 90, .above = true, .noun = "an angle", .unit = "degrees"},
@@ -180,13 +182,37 @@ Effect default_effect(EffectKind kind) {
   return effect;
 }
 
-void settle(Effect&, const std::function<bool(std::string_view)>&) {}
+bool is_given(const Effect& effect, std::string_view name) {
+  for (std::size_t k = 0; k < std::size(keys); ++k)
+    if (keys[k].info.name == name) return effect.given >> k & 1;
+  return false;
+}
+
+void give(Effect& effect, const Key<Effect>& key, const KeyValue& value) {
+  key.field.set(effect, value);
+  effect.given |= std::uint64_t(1) << (&key - keys);
+}
+
+void settle(Effect&) {}
 
 std::optional<Conflict> conflict_of(const Effect& e) {
   const bool of_ro = e.sampling == Sampling::lobe || e.sampling == Sampling::mixture;
   if (e.kind != EffectKind::ro && of_ro)
     return Conflict{"sampling_type", fmt::format("\"{}\" needs type \"ro\"", name_of(e.sampling))};
+  if (ambient_kinds.contains(e.kind) && e.cone_angle < 90 && e.sampling == Sampling::sphere)
+    return Conflict{"cone_angle", "needs sampling_type cosine or hemisphere"};
   return std::nullopt;
+}
+
+std::vector<Sampling> samplings_of(const Effect& effect) {
+  std::vector<Sampling> samplings;
+  for (const Sampling sampling :
+       {Sampling::lobe, Sampling::mixture, Sampling::cosine, Sampling::hemisphere, Sampling::sphere}) {
+    Effect sampled = effect;
+    sampled.sampling = sampling;
+    if (!conflict_of(sampled)) samplings.push_back(sampling);
+  }
+  return samplings;
 }
 
 std::vector<std::pair<const KeyInfo*, KeyValue>> settings_of(const Effect& effect) {

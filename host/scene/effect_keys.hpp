@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,9 +16,12 @@ std::span<const Key<Effect>> effect_keys();
 /// An effect of the type with every key at its default.
 Effect default_effect(EffectKind kind);
 
-/// What some keys decide for others: settings that were not given, as `given` says by key, follow from those
-/// that were.
-void settle(Effect& effect, const std::function<bool(std::string_view key)>& given);
+/// Sets a key's value, and that it was given.
+void give(Effect& effect, const Key<Effect>& key, const KeyValue& value);
+bool is_given(const Effect& effect, std::string_view key);
+
+/// What some keys decide for others: settings that were not given follow from those that were.
+void settle(Effect& effect);
 
 /// Settings that exclude one another.
 struct Conflict {
@@ -27,6 +29,9 @@ struct Conflict {
   std::string what;
 };
 std::optional<Conflict> conflict_of(const Effect& effect);
+
+/// The distributions that the effect, as it is otherwise, can be sampled by, the best first.
+std::vector<Sampling> samplings_of(const Effect& effect);
 
 /// The keys that the effect's type reads and their values, in the order of effect_keys(); without `type` and
 /// `name`.

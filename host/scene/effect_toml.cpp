@@ -40,13 +40,26 @@ void check_name(TomlTable& table, const std::string& name) {
             fmt::format("the name '{}' is taken by a channel of the picture", name));
 }
 
+// A key of other types, which has no meaning for this one.
+void refuse(TomlTable& table, const KeyInfo& key, EffectKind kind) {
+  if (!table.has(key.name) || key.readers.contains(kind)) return;
+  std::string types;
+  for (const auto& [name, reader] : effect_names)
+    if (key.readers.contains(reader)) types += fmt::format("{}{}", types.empty() ? "" : ", ", name);
+  fail_at(table.file(), table.find(key.name)->source(),
+          fmt::format("unknown key '{}' in {}: it is one of type {}{}{}", key.name, table.title(), types,
+                      key.elsewhere.empty() ? "" : "; ", key.elsewhere));
+}
+
 Effect read_effect(TomlTable& table, bool realtime, bool (*wanted)(const KeyInfo&, EffectKind)) {
   Effect effect = default_effect(read_type(table, realtime));
   for (const Key<Effect>& key : effect_keys()) {
-    if (!wanted(key.info, effect.kind)) continue;
-    if (const auto value = table.read(key.info)) key.field.set(effect, *value);
+    if (!wanted(key.info, effect.kind))
+      refuse(table, key.info, effect.kind);
+    else if (const auto value = table.read(key.info))
+      give(effect, key, *value);
   }
-  settle(effect, [&](std::string_view key) { return table.has(key); });
+  settle(effect);
   if (const auto conflict = conflict_of(effect))
     fail_at(table.file(), table.find(conflict->key)->source(),
             fmt::format("{} {}", conflict->key, conflict->what));

@@ -39,6 +39,8 @@ struct KeyInfo {
   std::string_view flag = "";          ///< of the command line: "--max-distance"; empty: none
   std::string_view default_says = "";  ///< in the docs, where the value itself says too little
   std::string_view needs = "";         ///< the message where Key::applies does not hold
+  std::string_view elsewhere = "";     ///< said to who gives it to an effect that does not read it
+  std::string_view define = "";        ///< of kernels: the macro that is the number of a choice's word
   std::string_view record = "";        ///< its name in attributes and run records; empty: `name`
   bool of_nook = true;                 ///< nook's own; false: TinyRender has it
   bool of_type = false;                ///< refused in [renderer] where the effect there does not read it

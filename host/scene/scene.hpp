@@ -76,6 +76,7 @@ struct Effect {
   std::vector<std::string> occluders, receivers;
   bool only_self = false;  ///< nothing occludes a surface but its own OBJ group
   SsaoSettings ssao;
+  std::uint64_t given = 0;  ///< a bit for each of effect_keys() that a scene or a flag named
 };
 
 /// Effects that trace occlusion rays.

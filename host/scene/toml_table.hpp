@@ -26,6 +26,7 @@ class TomlTable {
 
   explicit operator bool() const { return table_ != nullptr; }
   const std::string& file() const { return file_; }
+  const std::string& title() const { return title_; }
   void set_title(std::string title) { title_ = std::move(title); }
   bool has(std::string_view key) const { return table_ && table_->contains(key); }
 

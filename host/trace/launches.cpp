@@ -68,6 +68,7 @@ std::vector<Film> OcclusionTracer::estimate_all(std::span<const SurfacePoint> po
   for (const EffectPlan& planned : plan_.effects)
     films.emplace_back(int(points.size()), 1, planned.sum_scale, planned.square_scale,
                        plan_.replicate_directions ? 1 : directions, planned.extra_planes());
+  for (std::size_t e = 0; e < films.size(); ++e) films[e].settings = plan_.effects[e].settings();
   std::uint32_t direction = 0;
   std::size_t row = 0;
   const NextLaunch next = [&](Launch& launch) {

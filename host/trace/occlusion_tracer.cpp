@@ -101,6 +101,7 @@ std::vector<Film> OcclusionTracer::make_films() const {
   for (const EffectPlan& effect : plan_.effects)
     films.emplace_back(plan_.window.width(), plan_.window.height(), effect.sum_scale, effect.square_scale,
                        plan_.replicate_directions ? 1 : plan_.directions, effect.extra_planes());
+  for (std::size_t e = 0; e < films.size(); ++e) films[e].settings = plan_.effects[e].settings();
   return films;
 }
 

@@ -28,7 +28,7 @@ INLINE float ambient_sample(float2 u, float3 normal, float3* direction) {
     weight = weight_of_uniform(in_frame.z, 0.0f);
   } else if (SAMPLING == SAMPLING_SPHERE) {
     in_frame = square_to_sphere(u);
-    weight = in_frame.z > 0.0f ? 2.0f * weight_of_uniform(in_frame.z, 0.0f) : 0.0f;
+    weight = 4.0f * fmax(0.0f, in_frame.z);
   } else {
     in_frame = square_to_cosine_hemisphere(u);
     weight = 1.0f;

@@ -169,12 +169,22 @@ TEST(Plan, BadEffectListsSayWhere) {
   expect_scene_error("[[effect]]\ntype = \"aoo\"\n",
                      "scene.toml:12:8: unknown type 'aoo', did you mean 'ao'?");
   expect_scene_error(list + "exponent = 3\n", "unknown key 'exponent' in [[effect]] of type \"ao\"");
+  expect_scene_error(list + "exponent = 3\n", ": it is one of type ro");
   expect_scene_error(list + "sampling_type = \"lobe\"\n", "needs type \"ro\"");
+  expect_scene_error("[[effect]]\ntype = \"bent\"\nsampling_type = \"sphere\"\ncone_angle = 30\n",
+                     "cone_angle needs sampling_type cosine or hemisphere");
   expect_scene_error(list + "name = \"N\"\n", "the name 'N' is taken");
   expect_scene_error(list + "name = \"a b\"\n", "name must be 1 to 64 of the letters");
   expect_scene_error(list + "name = \"a\"\n" + list + "name = \"a\"\n", "two effects are named 'a'");
   expect_scene_error("effect = 3\n", "unknown key 'effect' in [film]");
   expect_scene_error("[effect]\ntype = \"ao\"\n", "effects are tables: [[effect]]");
+}
+
+// TinyRender's keys of other types have no effect.
+TEST(Plan, AnExponentBesideAoHasNoEffect) {
+  const Plan plan = plan_of("[renderer]\ntype = \"ao\"\nexponent = \"material\"\n").plan;
+  EXPECT_TRUE(plan.exponents.empty());
+  EXPECT_FALSE(plan.materials);
 }
 
 TEST(Plan, ALobeByMaterialNeedsOne) {

@@ -104,7 +104,8 @@ TEST(SceneKeys, EveryKeyOfEveryEffectIsReadWrittenHashedAndRecorded) {
         Scene scene = unchanged;
         Effect& effect = scene.effects.front();
         const KeyValue before = key.field.get(effect), value = another(key.info.domain, before, word);
-        key.field.set(effect, value);
+        give(effect, key, value);
+        settle(effect);
         const KeyValue now = key.field.get(effect);
         if (now == before || conflict_of(effect)) continue;
         expect_kept(scene, unchanged, key.info);

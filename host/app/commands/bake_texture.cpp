@@ -25,6 +25,7 @@ bool is_png(const std::filesystem::path& file) {
 Film spread(const Film& estimates, const TexturePoints& texels) {
   Film film(texels.size, texels.size, estimates.sum_scale, estimates.square_scale, estimates.per_replicate,
             estimates.extra.size());
+  film.settings = estimates.settings;
   for (std::size_t i = 0; i < texels.texels.size(); ++i) {
     const std::size_t texel = texels.texels[i];
     film.sum[texel] = estimates.sum[i];

@@ -51,15 +51,20 @@ std::vector<T> chosen(const char* flag, const std::vector<std::string>& words, N
   return values;
 }
 
-StudyChoice choice_of(const StudyOptions& options, EffectKind kind) {
+StudyChoice choice_of(const StudyOptions& options, const Effect& effect) {
   StudyChoice choice;
   choice.samplers = chosen<Sampler>("--samplers", options.samplers, sampler_names);
   choice.samplings = chosen<Sampling>("--samplings", options.samplings, sampling_names);
   choice.max_spp = options.max_spp;
-  if (kind != EffectKind::ro)
-    for (const Sampling sampling : choice.samplings)
-      if (sampling == Sampling::lobe || sampling == Sampling::mixture)
-        throw Error(ExitCode::usage, fmt::format("--samplings: {} needs an RO scene", name_of(sampling)));
+  const std::vector<Sampling> possible = samplings_of(effect);
+  for (const Sampling sampling : choice.samplings)
+    if (std::find(possible.begin(), possible.end(), sampling) == possible.end())
+      throw Error(ExitCode::usage,
+                  fmt::format("--samplings: {} {}", name_of(sampling),
+                              effect.kind != EffectKind::ro &&
+                                      (sampling == Sampling::lobe || sampling == Sampling::mixture)
+                                  ? "needs an RO scene"
+                                  : "does not go with the effect's other keys"));
   return choice;
 }
 
@@ -112,7 +117,7 @@ int study(const StudyOptions& options) {
   if (!options.no_plots && library.script.empty())
     fmt::print(stderr,
                "warning: tables instead of plots on the page: Debian's libjs-chart.js is not installed\n");
-  const StudyChoice choice = choice_of(options, scene.effects.front().kind);
+  const StudyChoice choice = choice_of(options, scene.effects.front());
   const fs::path folder =
       options.folder.empty() ? fs::path(options.scene.scene.stem().string() + "_study") : options.folder;
   std::error_code code;

@@ -91,7 +91,8 @@ std::vector<const KeyInfo*> SceneOptions::given() const {
 void SceneOptions::apply(Effect& effect) const {
   for (const Key<Effect>& key : effect_keys())
     if (key.info.readers.contains(effect.kind) && has(std::string(key.info.flag)))
-      key.field.set(effect, *parse_value(texts.at(std::string(key.info.flag)), key.info.domain));
+      give(effect, key, *parse_value(texts.at(std::string(key.info.flag)), key.info.domain));
+  settle(effect);
   if (const auto conflict = conflict_of(effect)) {
     const auto keys = given();
     const auto flag = std::find_if(keys.begin(), keys.end(),
