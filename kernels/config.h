@@ -30,6 +30,19 @@
 #error "SAMPLING: lobe and mixture need EFFECT_REFLECTION"
 #endif
 
+// What an open direction of ambient occlusion counts; see ambient.cl.
+#define WEIGHT_COSINE 0
+#define WEIGHT_UNIFORM 1
+#ifndef WEIGHT
+#define WEIGHT WEIGHT_COSINE
+#endif
+#if WEIGHT < 0 || WEIGHT > 1
+#error "WEIGHT: 0 cosine, 1 uniform"
+#endif
+#if WEIGHT == WEIGHT_UNIFORM && (EFFECT != EFFECT_AMBIENT || SAMPLING == SAMPLING_COSINE)
+#error "WEIGHT uniform needs EFFECT_AMBIENT and SAMPLING hemisphere or sphere"
+#endif
+
 // The point sequence; the order of nook::Sampler.
 #define SAMPLER_INDEPENDENT 0
 #define SAMPLER_STRATIFIED 1

@@ -18,8 +18,8 @@ struct BentCone {
 /// the same mean length:
 ///   |B| = 2/3 (1 - c³)/(1 - c²) = 2/3 (1 + c + c²)/(1 + c),  c = cos(half angle)
 /// from 1 for a single direction to 2/3 for a hemisphere; what is more scattered than a hemisphere counts as
-/// one. (Klehm et al. 2011, "Bent Normals and Cones in Screen-space", use the length in the same way for
-/// uniform directions.)
+/// one. Of uniform weights (Film::settings), B = ∫ V ω dω / ∫ V dω and |B| = (1 + c)/2, from 1 to 1/2 (Klehm
+/// et al. 2011, "Bent Normals and Cones in Screen-space").
 BentCone bent_cone(const Film& film, std::size_t pixel);
 
 }  // namespace nook

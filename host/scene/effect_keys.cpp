@@ -12,6 +12,7 @@ constexpr std::string_view limit_words[] = {"auto", "none"}, auto_word[] = {"aut
                            material_word[] = {"material"}, all_words[] = {"all"},
                            set_words[] = {"all", "self"};
 constexpr std::pair<std::string_view, bool> space_names[] = {{"world", false}, {"view", true}};
+constexpr std::pair<std::string_view, bool> weight_names[] = {{"cosine", false}, {"uniform", true}};
 constexpr Domain distance{.lo = 0, .hi = 1e30, .noun = "a distance", .unit = "world units"};
 
 // A list of names; an empty one is the word "all".
@@ -46,6 +47,12 @@ constexpr Field<Effect> space{
       e.view_space = *value_of<bool>(space_names, std::get<std::string>(value));
     }};
 
+constexpr Field<Effect> weight{
+    [](const Effect& e) { return KeyValue(std::string(name_of<bool>(weight_names, e.uniform_weight))); },
+    [](Effect& e, const KeyValue& value) {
+      e.uniform_weight = *value_of<bool>(weight_names, std::get<std::string>(value));
+    }};
+
 // A radius of 0 is "auto".
 constexpr Field<Effect> radius{
     [](const Effect& e) { return e.ssao.radius > 0 ? KeyValue(e.ssao.radius) : KeyValue("auto"); },
@@ -74,6 +81,17 @@ const Key<Effect> keys[] = {
       .record = "sampling",
       .of_nook = false},
      field<Effect, &Effect::sampling>()},
+    {{.name = "weight",
+      .domain = choice<weight_names>(),
+      .readers = ambient_kinds,
+      .help = "of an open direction: the cosine of its angle to the normal, or `uniform`: all count alike; "
+              "implies "
+              "hemisphere sampling",
+      .flag = "--weight",
+      .elsewhere = "RO weighs by its lobe, SSAO's methods by the cosine alone",
+      .define = "WEIGHT",
+      .of_type = true},
+     weight},
     {{.name = "max_distance",
       .domain = {.lo = 0, .noun = "a distance", .unit = "world units", .words = limit_words},
       .readers = traced_kinds,
@@ -193,7 +211,11 @@ void give(Effect& effect, const Key<Effect>& key, const KeyValue& value) {
   effect.given |= std::uint64_t(1) << (&key - keys);
 }
 
-void settle(Effect&) {}
+void settle(Effect& effect) {
+  if (is_given(effect, "sampling_type")) return;
+  const bool uniform = ambient_kinds.contains(effect.kind) && effect.uniform_weight;
+  effect.sampling = uniform ? Sampling::hemisphere : default_effect(effect.kind).sampling;
+}
 
 std::optional<Conflict> conflict_of(const Effect& e) {
   const bool of_ro = e.sampling == Sampling::lobe || e.sampling == Sampling::mixture;
@@ -201,6 +223,11 @@ std::optional<Conflict> conflict_of(const Effect& e) {
     return Conflict{"sampling_type", fmt::format("\"{}\" needs type \"ro\"", name_of(e.sampling))};
   if (ambient_kinds.contains(e.kind) && e.cone_angle < 90 && e.sampling == Sampling::sphere)
     return Conflict{"cone_angle", "needs sampling_type cosine or hemisphere"};
+  if (ambient_kinds.contains(e.kind) && e.uniform_weight && e.sampling == Sampling::cosine)
+    return Conflict{
+        "weight",
+        "\"uniform\" needs sampling_type hemisphere or sphere: directions drawn by the cosine would have "
+        "weights without bound"};
   return std::nullopt;
 }
 

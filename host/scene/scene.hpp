@@ -64,6 +64,7 @@ struct Effect {
   EffectKind kind = EffectKind::ao;
   std::string name;  ///< EXR layer; empty: the default layer (R, G, B)
   Sampling sampling = Sampling::cosine;
+  bool uniform_weight = false;  ///< AO, bent: every open direction counts alike, not by its cosine
   DistanceLimit max_distance;
   float exponent = 30;                ///< RO: Phong exponent, 0 to 1e7
   bool exponent_of_material = false;  ///< RO: use the MTL's Ns
