@@ -157,8 +157,9 @@ std::string not_watertight(std::string source) {
   const std::string place = "// A tree of one node:";
   const std::string test = kernels::files[1].text;
   replace(place, test.substr(test.find("//")) + place);  // less its include: the kernels have it
-  replace("leaf_occludes(leaf, rays, k)", "leaf_occludes_loosely(leaf, origins, d, k, max_distance)");
-  replace("leaf_occludes(leaf, &rays, k)", "leaf_occludes_loosely(leaf, origins, d, k, max_distance)");
+  const std::string loosely = "(near = 0, leaf_occludes_loosely(leaf, origins, d, k, max_distance))";
+  replace("leaf_occludes(leaf, rays, k, &near)", loosely);
+  replace("leaf_occludes(leaf, &rays, k, &near)", loosely);
   return source;
 }
 

@@ -157,7 +157,7 @@ void run_radius(const Settings& s, const std::string& name, const std::string& r
                 const Scene& scene, const TriangleMesh& mesh, const ReferenceTracer& tracer,
                 SsaoRenderer& renderer) {
   const float radius = radius_text == "half" ? 0.5f * mesh.bounds.bounding_radius() : std::stof(radius_text);
-  const Camera camera = resolve_camera(scene, mesh.bounds);
+  const Camera camera = resolve_camera(scene, mesh);
   std::printf("%s, radius %.4g (%s), %zu triangles, %dx%d\n", name.c_str(), double(radius),
               radius_text.c_str(), mesh.triangles.size(), s.width, s.height);
   Reference reference;

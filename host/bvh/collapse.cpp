@@ -28,6 +28,17 @@ TriangleLeaf empty_leaf() {
   return leaf;
 }
 
+/// The largest side of the box about a lane's triangle.
+float extent_of(const TriangleLeaf& leaf, unsigned lane) {
+  float extent = 0;
+  for (const auto& p : leaf.p) {
+    const auto [least, most] =
+        std::minmax({p[BVH_CORNER(0, lane)], p[BVH_CORNER(1, lane)], p[BVH_CORNER(2, lane)]});
+    extent = std::max(extent, most - least);
+  }
+  return extent;
+}
+
 /// Nodes and leaves: places in the arrays, or how many there are below a node.
 struct Place {
   std::uint32_t nodes = 0, leaves = 0;
@@ -173,6 +184,8 @@ class Collapser {
         leaf.p[axis][BVH_CORNER(1, i + BVH_LEAF_PAIRS)] = mesh_.positions[d][axis];
       }
     }
+    for (unsigned lane = 0; lane < BVH_LEAF_WIDTH; ++lane)
+      leaf.near_height[lane] = NEAR_HEIGHT(extent_of(leaf, lane));
     return leaf;
   }
 

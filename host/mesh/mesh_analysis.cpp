@@ -53,6 +53,10 @@ std::string mesh_hash(const TriangleMesh& mesh) {
   const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), XXH3_freeState);
   XXH3_128bits_reset(state.get());
   update(state.get(), mesh.positions);
+  if (mesh.frame != Frame()) {
+    XXH3_128bits_update(state.get(), &mesh.frame.center, sizeof mesh.frame.center);
+    XXH3_128bits_update(state.get(), &mesh.frame.exponent, sizeof mesh.frame.exponent);
+  }
   update(state.get(), mesh.normals);
   update(state.get(), mesh.triangles);
   update(state.get(), mesh.triangle_normals);

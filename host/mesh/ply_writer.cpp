@@ -27,7 +27,7 @@ void write_ply(const std::filesystem::path& path, const TriangleMesh& mesh, std:
   out += fmt::format("element face {}\nproperty list uchar uint vertex_indices\nend_header\n",
                      mesh.triangles.size());
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    append(out, mesh.positions[i]);
+    append(out, vec3(mesh.frame.to_file(dvec3(mesh.positions[i]))));
     append(out, normals[i]);
     for (const VertexProperty& property : properties) append(out, property.values[i]);
   }

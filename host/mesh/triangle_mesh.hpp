@@ -8,6 +8,7 @@
 
 #include "kernels/shared/instance.h"
 #include "math/bounds.hpp"
+#include "math/frame.hpp"
 #include "math/types.hpp"
 
 namespace nook {
@@ -85,6 +86,7 @@ struct TriangleMesh {
   std::vector<Instance> instances;
   std::vector<OpacityMap> opacity_maps;  ///< each once, if the scene asks for cut-outs
   Bounds3 bounds;                        ///< of the positions that triangles use
+  Frame frame;                           ///< of positions and bounds; distances of a Scene are the file's
   Bounds3 subject;  ///< the bounds without the ground that a scene added; empty if there is none
   /// What automatic distances and cameras refer to.
   const Bounds3& subject_bounds() const { return subject.empty() ? bounds : subject; }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <mutex>
 #include <type_traits>
 
 #include "base/error.hpp"
@@ -188,6 +189,20 @@ void drop_unused(TriangleMesh& mesh) {
   if (std::all_of(mesh.triangle_uvs.begin(), mesh.triangle_uvs.end(), no_uv)) mesh.triangle_uvs.clear();
 }
 
+// Triangles whose corners are different places in the file and the same float.
+std::uint64_t collapsed(const TriangleMesh& part, const std::vector<vec3>& positions,
+                        const LargeVector<dvec3>& in_file) {
+  std::uint64_t count = 0;
+  for (const auto& corners : part.triangles)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = corners[k], b = corners[(k + 1) % 3];
+      if (positions[a] != positions[b] || in_file[a] == in_file[b]) continue;
+      ++count;
+      break;
+    }
+  return count;
+}
+
 void warn_of_crossings(TriangleMesh& mesh, const PolygonMesh& polygons, const std::vector<Crossed>& crossed) {
   Crossed all;
   for (const Crossed& c : crossed) {
@@ -200,6 +215,24 @@ void warn_of_crossings(TriangleMesh& mesh, const PolygonMesh& polygons, const st
                                              polygons.place, all.first_place, others));
 }
 
+// Of the positions that floats can hold.
+Frame frame_of(const LargeVector<dvec3>& positions, TaskPool& pool) {
+  std::mutex mutex;
+  dvec3 lo(HUGE_VAL), hi(-HUGE_VAL);
+  pool.for_ranges(positions.size(), grain, [&](std::size_t begin, std::size_t end) {
+    dvec3 least(HUGE_VAL), most(-HUGE_VAL);
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!finite(vec3(positions[i]))) continue;
+      least = glm::min(least, positions[i]);
+      most = glm::max(most, positions[i]);
+    }
+    const std::scoped_lock lock(mutex);
+    lo = glm::min(lo, least);
+    hi = glm::max(hi, most);
+  });
+  return frame_for(lo, hi);
+}
+
 }  // namespace
 
 TriangleMesh triangulated(PolygonMesh&& polygons, const MeshAttributes& want) {
@@ -207,9 +240,13 @@ TriangleMesh triangulated(PolygonMesh&& polygons, const MeshAttributes& want) {
   const std::size_t tasks = std::max(blocks.size(), polygons.positions.size() / grain);
   TaskPool pool(unsigned(std::min<std::size_t>(threads_to_use(), std::max<std::size_t>(tasks, 1))));
   TriangleMesh mesh;
+  mesh.frame = frame_of(polygons.positions, pool);
   mesh.positions.resize(polygons.positions.size());
   pool.for_ranges(mesh.positions.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) mesh.positions[i] = vec3(polygons.positions[i]);
+    for (std::size_t i = begin; i < end; ++i) {
+      const dvec3& p = polygons.positions[i];
+      mesh.positions[i] = finite(vec3(p)) ? vec3(mesh.frame.from_file(p)) : vec3(p);
+    }
   });
   if (want.normals) mesh.normals = std::move(polygons.normals);
   if (want.uvs) mesh.uvs = std::move(polygons.uvs);
@@ -223,15 +260,22 @@ TriangleMesh triangulated(PolygonMesh&& polygons, const MeshAttributes& want) {
 
   std::vector<TriangleMesh> parts(blocks.size());
   std::vector<Crossed> crossed(blocks.size());
+  std::atomic<std::uint64_t> lost = 0;
   pool.for_ranges(blocks.size(), 1, [&](std::size_t i, std::size_t) {
     parts[i] = BlockTriangles(polygons, mesh, want).of(blocks[i], crossed[i]);
     blocks[i] = {};
     finish(parts[i], mesh.positions);
+    lost += collapsed(parts[i], mesh.positions, polygons.positions);
   });
   LargeVector<dvec3>().swap(polygons.positions);
   join(mesh, parts);
 
   warn_of_crossings(mesh, polygons, crossed);
+  if (lost > 0)
+    mesh.report.warnings.push_back(fmt::format(
+        "{}: {} triangles are lost: their corners are nearer to each other than floats tell apart "
+        "in a scene that reaches {:g}",
+        polygons.name, lost.load(), mesh.frame.to_file(double(mesh.bounds.bounding_radius()))));
   drop_unused(mesh);
   if (mesh.triangles.empty())
     throw Error(ExitCode::scene,

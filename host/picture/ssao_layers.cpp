@@ -33,13 +33,16 @@ void add_surface(const Plan& plan, const AovRequest& aovs, const SsaoFrame& fram
   if (aovs.alpha)
     image.channels.push_back({"A", cut(plan, [&](std::size_t i) { return frame.coverage[i]; })});
   if (aovs.normal) add_vectors(plan, "N", frame.normals, image);
-  if (aovs.position) add_vectors(plan, "P", frame.positions, image);
+  std::vector<vec3> positions = frame.positions;
+  for (vec3& p : positions) p = vec3(plan.frame.to_file(dvec3(p)));
+  if (aovs.position) add_vectors(plan, "P", positions, image);
   const vec3 eye(plan.camera.eye[0], plan.camera.eye[1], plan.camera.eye[2]);
   const vec3 forward(plan.camera.forward[0], plan.camera.forward[1], plan.camera.forward[2]);
   if (aovs.depth)
     image.channels.push_back({"Z", cut(plan, [&](std::size_t i) {
-                                return frame.coverage[i] > 0 ? glm::dot(frame.positions[i] - eye, forward)
-                                                             : std::numeric_limits<float>::infinity();
+                                if (!(frame.coverage[i] > 0)) return std::numeric_limits<float>::infinity();
+                                const float z = glm::dot(frame.positions[i] - eye, forward);
+                                return float(plan.frame.to_file(double(z)));
                               })});
 }
 
@@ -73,7 +76,10 @@ SsaoLayers draw_ssao(const Scene& scene, const TriangleMesh& mesh, const Plan& p
     SsaoRecord& drawn = layers.effects.emplace_back();
     drawn.name = effect_label(layer.kind, layer.prefix);
     drawn.settings = settings;
-    drawn.plan = plan_ssao(settings, mesh.subject_bounds());
+    SsaoSettings in_memory = settings;
+    in_memory.radius = float(mesh.frame.from_file(double(settings.radius)));
+    in_memory.bias = float(mesh.frame.from_file(double(settings.bias)));
+    drawn.plan = plan_ssao(in_memory, mesh.subject_bounds());
     drawn.plan.as_published = scene.compat_tinyrender && !settings.quality;
     drawn.frames = frames;
     const bool surface = alone && layers.effects.size() == 1;
@@ -81,10 +87,11 @@ SsaoLayers draw_ssao(const Scene& scene, const TriangleMesh& mesh, const Plan& p
                               .normals = surface && aovs.normal};
     SsaoFrame frame;
     for (unsigned i = 0; i < frames; ++i) {
-      frame = renderer.render(resolve_camera(scene, mesh.subject_bounds()), drawn.plan, scene.width,
+      frame = renderer.render(in_frame(resolve_camera(scene, mesh), mesh.frame), drawn.plan, scene.width,
                               scene.height, outputs);
       keep_fastest(drawn, frame);
     }
+    drawn.plan.radius = float(mesh.frame.to_file(double(drawn.plan.radius)));  // for people
     const std::vector<float> value = cut(plan, [&](std::size_t i) { return frame.occlusion[i]; });
     for (const char* channel : {"R", "G", "B"})
       image.channels.push_back({(layer.main ? "" : layer.prefix) + channel, value});

@@ -16,9 +16,13 @@ std::vector<std::vector<float>> components(const Plan& plan, EffectKind kind,
   for (std::size_t i = 0; i < surface.size(); ++i) {
     const SurfacePoint& p = surface[i];
     if (!(p.flags & SURFACE_HIT)) continue;
-    if (depth) planes[0][i] = -p.distance * (p.view[0] * f[0] + p.view[1] * f[1] + p.view[2] * f[2]);
+    if (depth) {
+      const float z = -p.distance * (p.view[0] * f[0] + p.view[1] * f[1] + p.view[2] * f[2]);
+      planes[0][i] = float(plan.frame.to_file(double(z)));
+    }
+    const dvec3 position = plan.frame.to_file(dvec3(p.origin[0], p.origin[1], p.origin[2]));
     for (std::size_t axis = 0; !depth && axis < 3; ++axis)
-      planes[axis][i] = kind == EffectKind::normal ? p.normal[axis] : p.origin[axis];
+      planes[axis][i] = kind == EffectKind::normal ? p.normal[axis] : float(position[int(axis)]);
   }
   return planes;
 }

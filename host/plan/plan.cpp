@@ -126,7 +126,11 @@ MeshAttributes needed_attributes(const Scene& scene, bool surface) {
   return needs;
 }
 
-float resolve_distance(const Effect& effect, const Bounds3& bounds, bool compat_tinyrender) {
+float subject_radius(const TriangleMesh& mesh) {
+  return float(mesh.frame.to_file(double(mesh.subject_bounds().bounding_radius())));
+}
+
+float resolve_distance(const Effect& effect, float radius, bool compat_tinyrender) {
   switch (effect.max_distance.kind) {
     case DistanceLimit::Kind::none:
       return std::numeric_limits<float>::infinity();
@@ -134,7 +138,7 @@ float resolve_distance(const Effect& effect, const Bounds3& bounds, bool compat_
       return effect.max_distance.value;
     default:
       if (effect.kind == EffectKind::ro) return std::numeric_limits<float>::infinity();
-      return compat_tinyrender ? 1.5f : 0.5f * bounds.bounding_radius();
+      return compat_tinyrender ? 1.5f : 0.5f * radius;
   }
 }
 
@@ -147,7 +151,8 @@ void choose_scales(EffectPlan& effect, float largest_exponent) {
 
 Plan make_plan(const Scene& scene, const TriangleMesh& mesh, bool surface) {
   Plan plan;
-  plan.camera = camera_params(scene, mesh.subject_bounds());
+  plan.camera = camera_params(scene, mesh);
+  plan.frame = mesh.frame;
   plan.width = scene.width;
   plan.height = scene.height;
   plan.window = scene.crop.value_or(PixelRect{0, 0, scene.width, scene.height});
@@ -173,8 +178,8 @@ Plan make_plan(const Scene& scene, const TriangleMesh& mesh, bool surface) {
       EffectPlan planned;
       planned.layer = layer.prefix;
       planned.effect = effect;
-      planned.max_distance = resolve_distance(effect, mesh.subject_bounds(), scene.compat_tinyrender);
-      planned.reach = planned.max_distance <= reach_of_radius * mesh.subject_bounds().bounding_radius();
+      planned.max_distance = resolve_distance(effect, subject_radius(mesh), scene.compat_tinyrender);
+      planned.reach = planned.max_distance <= reach_of_radius * subject_radius(mesh);
       choose_scales(planned, effect.kind == EffectKind::ro && effect.exponent_of_material
                                  ? *std::max_element(plan.exponents.begin(), plan.exponents.end())
                                  : effect.exponent);

@@ -48,7 +48,8 @@ struct LayerPlan {
 
 /// Everything that follows from a scene and its mesh: scene -> plan -> kernels, buffers, launches.
 struct Plan {
-  CameraParams camera{};
+  CameraParams camera{};              ///< in `frame`
+  Frame frame;                        ///< the mesh's; distances of effects are the file's
   int width = 0, height = 0;          ///< the whole image, pixels
   PixelRect window;                   ///< what is rendered of it
   std::uint32_t spp = 1;              ///< camera rays a pixel
@@ -95,9 +96,12 @@ void check_samples(const Scene& scene, std::uint64_t spp);
 /// of an unknown name).
 Plan make_plan(const Scene& scene, const TriangleMesh& mesh, bool surface = false);
 
-/// The distance limit in world units: half the radius of the bounding sphere for AO by default (TinyRender's
-/// rule, read literally), 1.5 with compat = "tinyrender", infinity for RO.
-float resolve_distance(const Effect& effect, const Bounds3& bounds, bool compat_tinyrender);
+/// The radius of the sphere about the mesh without its ground, in the file's units.
+float subject_radius(const TriangleMesh& mesh);
+
+/// The distance limit in world units: half the `radius` of the bounding sphere for AO by default
+/// (TinyRender's rule, read literally), 1.5 with compat = "tinyrender", infinity for RO.
+float resolve_distance(const Effect& effect, float radius, bool compat_tinyrender);
 
 /// Fixed-point scales for weights up to `weight_bound`: 2^28 samples of the largest weight fit 64 bits. RO:
 /// the largest exponent that any surface has bounds the weight.

@@ -12,7 +12,8 @@ void store(float (&out)[3], const dvec3& v) {
 }
 
 // A three-quarter view from above, as near as every corner of the box stays inside 96 % of the film.
-Camera framing_camera(const Scene& scene, const Bounds3& bounds) {
+Camera framing_camera(const Scene& scene, const TriangleMesh& mesh) {
+  const Bounds3& bounds = mesh.subject_bounds();
   Camera camera;
   const double half_height = 0.96 * std::tan(camera.fov * std::numbers::pi / 360);
   const double half_width = half_height * scene.width / scene.height;
@@ -29,25 +30,31 @@ Camera framing_camera(const Scene& scene, const Bounds3& bounds) {
     distance = std::max({distance, glm::dot(p, back) + std::abs(glm::dot(p, right)) / half_width,
                          glm::dot(p, back) + std::abs(glm::dot(p, up)) / half_height});
   }
-  camera.at = vec3(center);
-  camera.eye = vec3(center + distance * back);
+  camera.at = mesh.frame.to_file(dvec3(vec3(center)));
+  camera.eye = mesh.frame.to_file(dvec3(vec3(center + distance * back)));
   camera.up = {0, 1, 0};
   return camera;
 }
 
 }  // namespace
 
-Camera resolve_camera(const Scene& scene, const Bounds3& bounds) {
-  return scene.automatic_camera ? framing_camera(scene, bounds) : scene.camera;
+Camera resolve_camera(const Scene& scene, const TriangleMesh& mesh) {
+  return scene.automatic_camera ? framing_camera(scene, mesh) : scene.camera;
 }
 
-CameraParams camera_params(const Scene& scene, const Bounds3& bounds) {
-  const Camera camera = resolve_camera(scene, bounds);
-  const dvec3 forward = glm::normalize(dvec3(camera.at) - dvec3(camera.eye));
+Camera in_frame(Camera camera, const Frame& frame) {
+  camera.eye = frame.from_file(camera.eye);
+  camera.at = frame.from_file(camera.at);
+  return camera;
+}
+
+CameraParams camera_params(const Scene& scene, const TriangleMesh& mesh) {
+  const Camera camera = in_frame(resolve_camera(scene, mesh), mesh.frame);
+  const dvec3 forward = glm::normalize(camera.at - camera.eye);
   const dvec3 right = glm::normalize(glm::cross(forward, dvec3(camera.up)));
   const double tangent = std::tan(camera.fov * std::numbers::pi / 360);
   CameraParams params{};
-  store(params.eye, dvec3(camera.eye));
+  store(params.eye, camera.eye);
   store(params.right, right);
   store(params.up, glm::cross(right, forward));
   store(params.forward, forward);

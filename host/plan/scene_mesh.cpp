@@ -16,7 +16,7 @@ namespace {
 
 // p -> translate + Rz Ry Rx scale p.
 glm::dmat4 matrix_of(const Instance& instance) {
-  glm::dmat4 m = glm::translate(glm::dmat4(1), dvec3(instance.translate));
+  glm::dmat4 m = glm::translate(glm::dmat4(1), instance.translate);
   for (int axis = 2; axis >= 0; --axis) {
     dvec3 about(0);
     about[axis] = 1;
@@ -47,14 +47,46 @@ Files load_files(const Scene& scene, const MeshAttributes& attributes) {
   return files;
 }
 
+glm::dmat4 to_file(const Frame& frame) {
+  return glm::scale(glm::translate(glm::dmat4(1), frame.center), dvec3(frame.to_file(1)));
+}
+
+glm::dmat4 from_file(const Frame& frame) {
+  return glm::translate(glm::scale(glm::dmat4(1), dvec3(frame.from_file(1))), -frame.center);
+}
+
+// Of all instances.
+Frame frame_of(const Scene& scene, const Files& files) {
+  dvec3 lo(HUGE_VAL), hi(-HUGE_VAL);
+  for (const Instance& instance : scene.instances) {
+    const TriangleMesh& mesh = files.meshes.at(instance.mesh_file);
+    const glm::dmat4 transform = matrix_of(instance);
+    for (int corner = 0; corner < 8; ++corner) {
+      const Bounds3& b = mesh.bounds;
+      const dvec3 p(corner & 1 ? b.hi.x : b.lo.x, corner & 2 ? b.hi.y : b.lo.y, corner & 4 ? b.hi.z : b.lo.z);
+      const dvec3 placed(transform * glm::dvec4(mesh.frame.to_file(p), 1));
+      lo = glm::min(lo, placed);
+      hi = glm::max(hi, placed);
+    }
+  }
+  return frame_for(lo, hi);
+}
+
+// From the mesh's coordinates in memory to the whole's.
+glm::dmat4 matrix_between(const Frame& whole, const Instance& instance, const Frame& mesh) {
+  const glm::dmat4 in_files = matrix_of(instance);
+  return whole == Frame() && mesh == Frame() ? in_files : from_file(whole) * in_files * to_file(mesh);
+}
+
 // The instances as copies, or each file once (and once more if some of its instances mirror it) with its
 // places.
 TriangleMesh place_files(const Scene& scene, Files files, bool as_trees) {
   TriangleMesh whole;
+  whole.frame = frame_of(scene, files);
   std::map<std::pair<std::filesystem::path, bool>, std::uint32_t> parts;
   for (const Instance& instance : scene.instances) {
     const TriangleMesh& mesh = files.meshes.at(instance.mesh_file);
-    const glm::dmat4 transform = matrix_of(instance);
+    const glm::dmat4 transform = matrix_between(whole.frame, instance, mesh.frame);
     try {
       if (!as_trees) {
         append_instance(whole, mesh, transform);
@@ -101,8 +133,12 @@ TriangleMesh load_scene_mesh(const Scene& scene, const MeshAttributes& attribute
     whole.why_copies = why_copies;
   }
   if (scene.ground) {
-    const float height = scene.ground->height.value_or(whole.bounds.lo.y);
-    append_ground(whole, height, scene.ground->reach.value_or(20 * whole.bounds.bounding_radius()));
+    const Frame& frame = whole.frame;
+    const float height = scene.ground->height ? float(frame.from_file(*scene.ground->height - frame.center.y))
+                                              : whole.bounds.lo.y;
+    append_ground(whole, height,
+                  scene.ground->reach ? float(frame.from_file(double(*scene.ground->reach)))
+                                      : 20 * whole.bounds.bounding_radius());
   }
   if (scene.cutouts && attributes.materials) load_opacity_maps(whole);
   return whole;

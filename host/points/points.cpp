@@ -48,28 +48,33 @@ void store(float (&out)[3], const vec3& v) {
 
 }  // namespace
 
-SurfacePoint surface_point(const vec3& position, const vec3& normal, const vec3& view,
-                           const Bounds3& bounds) {
+SurfacePoint surface_point(const vec3& position, const vec3& normal, const vec3& view, const vec3& off,
+                           float extent) {
   constexpr double half_ulp = 0x1p-24;
-  constexpr double gamma7 = 7 * half_ulp / (1 - 7 * half_ulp);
-  const auto largest = [](const vec3& v) {
-    return double(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
-  };
-  double reach = largest(position);
-  if (!bounds.empty()) reach = std::max({reach, largest(bounds.lo), largest(bounds.hi)});
+  double distance = 16 * half_ulp * double(extent);
+  for (int i = 0; i < 3; ++i) distance += 4 * half_ulp * std::abs(double(off[i]) * double(position[i]));
+  vec3 origin;
+  for (int i = 0; i < 3; ++i) {
+    const float moved = float(double(position[i]) + distance * double(off[i]));
+    origin[i] = off[i] == 0 ? moved : std::nextafter(moved, off[i] > 0 ? HUGE_VALF : -HUGE_VALF);
+  }
   SurfacePoint point{};
-  store(point.origin, vec3(dvec3(position) + gamma7 * reach * dvec3(normal)));
-  point.distance = float(gamma7 * reach);
+  store(point.origin, origin);
+  point.distance = float(glm::dot(dvec3(origin) - dvec3(position), dvec3(normal)));
   point.flags = SURFACE_HIT | SURFACE_GIVEN;
   store(point.normal, normal);
-  store(point.geometric_normal, normal);
+  store(point.geometric_normal, off);
   store(point.view, view);
   point.triangle = point.material = 0xffffffffu;
   return point;
 }
 
+SurfacePoint surface_point(const vec3& position, const vec3& normal, const vec3& view) {
+  return surface_point(position, normal, view, normal, 0);
+}
+
 std::vector<SurfacePoint> read_points(std::istream& in, const std::string& name, bool needs_view,
-                                      const Bounds3& bounds) {
+                                      const Frame& frame) {
   std::vector<SurfacePoint> points;
   std::string line;
   bool first = true;
@@ -92,18 +97,18 @@ std::vector<SurfacePoint> read_points(std::istream& in, const std::string& name,
     if (needs_view && view == vec3(0))
       fail(n.size() == 9 ? "the view direction is zero"
                          : "RO needs the view direction: px,py,pz,nx,ny,nz,vx,vy,vz");
-    points.push_back(surface_point(vec3(float(n[0]), float(n[1]), float(n[2])), normal, view, bounds));
+    points.push_back(surface_point(vec3(frame.from_file(dvec3(n[0], n[1], n[2]))), normal, view));
   }
   if (points.empty()) throw Error(ExitCode::scene, fmt::format("{}: there are no points", name));
   return points;
 }
 
 std::vector<SurfacePoint> load_points(const std::filesystem::path& path, bool needs_view,
-                                      const Bounds3& bounds) {
+                                      const Frame& frame) {
   size_of_input(path);
   std::ifstream in(path);
   if (!in) throw Error(ExitCode::scene, fmt::format("{}: cannot be read", path.string()));
-  return read_points(in, path.string(), needs_view, bounds);
+  return read_points(in, path.string(), needs_view, frame);
 }
 
 }  // namespace nook

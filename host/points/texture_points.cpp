@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "points/outside.hpp"
 #include "points/points.hpp"
 
 namespace nook {
@@ -81,6 +82,19 @@ dvec3 face_normal(const TriangleMesh& mesh, std::size_t t) {
   return length > 0 ? n / length : dvec3(0);
 }
 
+dvec3 centroid_of(const TriangleMesh& mesh, std::size_t t) {
+  dvec3 sum(0);
+  for (const std::uint32_t corner : mesh.triangles[t]) sum += dvec3(mesh.positions[corner]);
+  return sum / 3.0;
+}
+
+float extent_of(const TriangleMesh& mesh, std::size_t t) {
+  const auto& [a, b, c] = mesh.triangles[t];
+  const vec3 p = mesh.positions[a], q = mesh.positions[b], r = mesh.positions[c];
+  const vec3 size = glm::max(p, glm::max(q, r)) - glm::min(p, glm::min(q, r));
+  return std::max({size.x, size.y, size.z});
+}
+
 dvec3 normal_at(const TriangleMesh& mesh, std::size_t t, const dvec3& weights) {
   dvec3 sum(0);
   for (int k = 0; mesh.has_normals() && k < 3; ++k) {
@@ -135,6 +149,7 @@ TexturePoints texture_points(const TriangleMesh& mesh, int size) {
       cover(corners_in_texels(mesh, t, size), std::uint32_t(t), size, coverage);
   }
   made.overlapping = std::uint64_t(std::count(coverage.overlapped.begin(), coverage.overlapped.end(), true));
+  std::vector<dvec3> centroids;
   for (std::size_t texel = 0; texel < count; ++texel) {
     const std::uint32_t t = coverage.triangle[texel];
     if (t == no_texel) continue;
@@ -146,9 +161,16 @@ TexturePoints texture_points(const TriangleMesh& mesh, int size) {
     made.texels.push_back(std::uint32_t(texel));
     made.positions.push_back(vec3(position));
     made.normals.push_back(vec3(normal_at(mesh, t, weights)));
-    made.points.push_back(surface_point(made.positions.back(), made.normals.back(), vec3(0), mesh.bounds));
+    const vec3 at = glm::abs(made.positions.back());
+    const float largest = std::max({at.x, at.y, at.z});
+    const vec3 normal = made.normals.back(), face = vec3(face_normal(mesh, t));
+    made.points.push_back(surface_point(made.positions.back(), normal, vec3(0),
+                                        glm::dot(face, normal) < 0 ? -face : face,
+                                        std::min(extent_of(mesh, t), largest)));
+    centroids.push_back(centroid_of(mesh, t));
     made.points.back().triangle = t;
   }
+  move_outside(made.points, mesh, centroids);
   return made;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "points/outside.hpp"
 #include "points/points.hpp"
 
 namespace nook {
@@ -41,10 +42,29 @@ std::vector<vec3> position_normals(const TriangleMesh& mesh) {
 
 std::vector<SurfacePoint> vertex_points(const TriangleMesh& mesh, const std::vector<vec3>& normals) {
   std::vector<SurfacePoint> points(mesh.positions.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (normals[i] != vec3(0)) points[i] = surface_point(mesh.positions[i], normals[i], vec3(0), mesh.bounds);
-  for (std::size_t t = mesh.triangles.size(); t-- > 0;)
-    for (const std::uint32_t position : mesh.triangles[t]) points[position].triangle = std::uint32_t(t);
+  std::vector<float> extent(points.size(), HUGE_VALF);  // of the smallest triangle about a vertex
+  std::vector<dvec3> centroids(points.size(), dvec3(0));
+  std::vector<std::uint32_t> own(points.size()), count(points.size(), 0);
+  for (std::size_t t = mesh.triangles.size(); t-- > 0;) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    const vec3 p = mesh.positions[a], q = mesh.positions[b], r = mesh.positions[c];
+    const vec3 size = glm::max(p, glm::max(q, r)) - glm::min(p, glm::min(q, r));
+    for (const std::uint32_t position : mesh.triangles[t]) {
+      points[position].triangle = std::uint32_t(t);
+      extent[position] = std::min(extent[position], std::max({size.x, size.y, size.z}));
+      centroids[position] += (dvec3(p) + dvec3(q) + dvec3(r)) / 3.0;
+      ++count[position];
+    }
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    own[i] = std::uint32_t(i);
+    const std::uint32_t triangle = points[i].triangle;
+    if (count[i] > 0) centroids[i] /= double(count[i]);
+    if (normals[i] == vec3(0)) continue;
+    points[i] = surface_point(mesh.positions[i], normals[i], vec3(0), normals[i], extent[i]);
+    points[i].triangle = triangle;
+  }
+  move_outside(points, mesh, centroids, own);
   return points;
 }
 

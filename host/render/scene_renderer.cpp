@@ -12,6 +12,7 @@
 #include "plan/scene_mesh.hpp"
 #include "plan/tree_options.hpp"
 #include "render/picture_run.hpp"
+#include "render/point_estimates.hpp"
 
 namespace nook {
 
@@ -119,7 +120,7 @@ std::vector<Film> SceneRenderer::estimate(std::span<const SurfacePoint> points, 
   bool cancelled = false;
   const std::uint64_t before = tracer().counters().occlusion_rays;
   std::vector<Film> films =
-      tracer().estimate_all(points, directions, [&](std::span<const Finished> finished) {
+      estimate_at_points(tracer(), plan_, points, directions, [&](std::span<const Finished> finished) {
         if (!observer) return true;
         for (const Finished& f : finished) now.samples += std::uint64_t(f.end - f.begin) * f.range.count;
         now.rays = tracer().counters().occlusion_rays - before;

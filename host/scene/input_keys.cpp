@@ -28,7 +28,7 @@ constexpr Field<Scene> meshes{
     [](const Scene& s) { return s.instances.empty() ? KeyValue(s.mesh_file.string()) : KeyValue(); },
     [](Scene& s, const KeyValue& value) {
       if (const auto* list = std::get_if<std::vector<std::string>>(&value))
-        for (const std::string& name : *list) s.instances.push_back({name, vec3(0), vec3(0), vec3(1)});
+        for (const std::string& name : *list) s.instances.push_back({name, dvec3(0), vec3(0), vec3(1)});
       else
         s.mesh_file = std::get<std::string>(value);
     }};

@@ -30,7 +30,7 @@ void read_input(TomlTable& input, TomlTable& ground, const toml::node* instances
     scene.mesh_file = scene.instances.front().mesh_file;
     scene.instances.clear();
   } else if (list && scene.instances.empty() && input.has("objfile")) {
-    scene.instances.push_back({scene.mesh_file, vec3(0), vec3(0), vec3(1)});
+    scene.instances.push_back({scene.mesh_file, dvec3(0), vec3(0), vec3(1)});
   }
   for (std::size_t i = 0; list && i < list->size(); ++i) {
     TomlTable table(input.file(), "[[instance]]", list->get(i)->as_table());

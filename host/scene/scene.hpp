@@ -13,8 +13,8 @@ namespace nook {
 
 /// Pinhole camera, TinyRender's: right-handed, looking along at - eye, row 0 at the top.
 struct Camera {
-  vec3 eye{1, 1, 0};
-  vec3 at{0, 0, 0};
+  dvec3 eye{1, 1, 0};
+  dvec3 at{0, 0, 0};
   vec3 up{0, 1, 0};
   float fov = 30;  ///< vertical, degrees, in (0, 180)
 };
@@ -93,7 +93,7 @@ inline bool is_surface(EffectKind kind) {
 /// A copy of a mesh file: p -> translate + Rz Ry Rx scale p.
 struct Instance {
   std::filesystem::path mesh_file;
-  vec3 translate{0};  ///< world units
+  dvec3 translate{0};  ///< world units
   vec3 rotate{0};     ///< degrees about x, then y, then z
   vec3 scale{1};
 };
@@ -104,7 +104,7 @@ enum class Instancing { automatic, copies, tree };
 
 /// A large square below everything.
 struct Ground {
-  std::optional<float> height;  ///< y, world units; unset: the lowest point of the mesh
+  std::optional<double> height;  ///< y, world units; unset: the lowest point of the mesh
   std::optional<float> reach;  ///< from the mesh's center to each side, world units; unset: 20 bounding radii
 };
 

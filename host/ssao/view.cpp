@@ -29,7 +29,7 @@ vec3 SsaoView::reconstruct(const vec2& buffer, float depth) const {
 }
 
 SsaoView make_ssao_view(const Camera& camera, int width, int height, int guard) {
-  const dvec3 forward = dvec3(camera.at) - dvec3(camera.eye);
+  const dvec3 forward = camera.at - camera.eye;
   const dvec3 right = glm::cross(forward, dvec3(camera.up));
   if (!(glm::dot(forward, forward) > 0))
     throw Error(ExitCode::scene, "the camera's eye and at are the same point");
@@ -37,7 +37,7 @@ SsaoView make_ssao_view(const Camera& camera, int width, int height, int guard) 
     throw Error(ExitCode::scene, "the camera's up is along its line of sight");
   SsaoView view;
   const dvec3 unit_forward = glm::normalize(forward), unit_right = glm::normalize(right);
-  view.eye = camera.eye;
+  view.eye = vec3(camera.eye);
   view.right = vec3(unit_right);
   view.up = vec3(glm::cross(unit_right, unit_forward));
   view.backward = vec3(-unit_forward);

@@ -43,9 +43,9 @@ EstimatorParams OcclusionTracer::params_for(const EffectPlan& effect, const Laun
   params.total_directions = launch.total_directions;
   params.seed = plan_.seed;
   params.width = launch.points ? 0 : nook_uint(plan_.width);
-  params.max_distance = effect.max_distance;
+  params.max_distance = float(plan_.frame.from_file(double(effect.max_distance)));
   params.exponent = effect.effect.exponent;
-  params.min_distance = effect.effect.min_distance;
+  params.min_distance = float(plan_.frame.from_file(double(effect.effect.min_distance)));
   const double half_angle = double(effect.effect.cone_angle) * std::numbers::pi / 180;
   params.cone_sine = float(std::sin(half_angle));
   params.cone_cosine = float(std::cos(half_angle));

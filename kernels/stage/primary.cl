@@ -36,6 +36,7 @@ __kernel void primary(BVH_PARAMS PRIMARY_ARGUMENTS(IN_PARAM, OUT_PARAM, VALUE_PA
   if (first_task >= task_count) return;
   const uint rays = min(tasks_per_item, task_count - first_task) * p.samples;
   const float3 eye = (float3)(camera.eye[0], camera.eye[1], camera.eye[2]);
+  const Vector from = {eye.x, eye.y, eye.z};
   SurfaceHits hits;
   clear_hits(&hits);
   uint pixel[STREAM], sample[STREAM];
@@ -58,7 +59,7 @@ __kernel void primary(BVH_PARAMS PRIMARY_ARGUMENTS(IN_PARAM, OUT_PARAM, VALUE_PA
       if (triangle[k] != NO_TRIANGLE)
         gather_hit(&hits, k, TRIANGLE_ARGS, normals, triangle_normals, triangle[k], u[k], v[k]);
     SurfaceFrames frames;
-    make_surface_frames(&hits, count, &frames);
+    make_surface_frames(&hits, from, &directions, t, count, &frames);
     for (uint k = 0; k < count; ++k) {
       __global SurfacePoint* point =
           points + tasks[first_task + (begin + k) / p.samples].point + (begin + k) % p.samples;

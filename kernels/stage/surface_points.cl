@@ -5,7 +5,7 @@
 
 #include "config.h"
 #include "inline.h"
-#include "trace/intersect.cl"
+#include "trace/origin.cl"
 #include "trace/rays.cl"
 #include "shared/surface_point.h"
 #include "trace/triangle.cl"
@@ -74,15 +74,17 @@ INLINE void shading_normal(const SurfaceHits* hits, uint k, Vector geometric, Ve
   normal->z = smooth ? n.z * inverse : geometric.z;
 }
 
-// Of the first `count` hits; of those behind them, and of rays that met nothing, any values. clear_hits() before the first.
-INLINE void make_surface_frames(const SurfaceHits* hits, uint count, SurfaceFrames* frames) {
+// Of the first `count` hits of rays from `eye`; of those behind them, and of rays that met nothing, any values. clear_hits() before the first.
+INLINE void make_surface_frames(const SurfaceHits* hits, Vector eye, const RayDirections* d, const float* t, uint count,
+                                SurfaceFrames* frames) {
   for (uint first = 0; first < count; first += RAYS_TOGETHER)
     for (uint k = first; k < first + RAYS_TOGETHER; ++k) {
       const Vector a = ray_vector(&hits->corner[0], k), b = ray_vector(&hits->corner[1], k), c = ray_vector(&hits->corner[2], k);
       Vector g, n, o;
       triangle_normal(a, b, c, &g);
       shading_normal(hits, k, g, &n);
-      offset_origin(a, b, c, hits->u[k], hits->v[k], g, g.x * n.x + g.y * n.y + g.z * n.z, &o);
+      offset_origin(a, b, c, hits->u[k], hits->v[k], g, g.x * n.x + g.y * n.y + g.z * n.z, eye,
+                    ray_vector(d, k), t[k], &o);
       frames->geometric_normal.x[k] = g.x, frames->geometric_normal.y[k] = g.y, frames->geometric_normal.z[k] = g.z;
       frames->normal.x[k] = n.x, frames->normal.y[k] = n.y, frames->normal.z[k] = n.z;
       frames->origin.x[k] = o.x, frames->origin.y[k] = o.y, frames->origin.z[k] = o.z;

@@ -1,10 +1,11 @@
-// Ray-triangle intersection, ray-box intersection and the origins of secondary rays: the arithmetic that every
+// Ray-triangle intersection and ray-box intersection: the arithmetic that every
 // traversal shares, for one ray and one triangle. The vector forms of traverse_stream.cl compute the same operations in
 // the same order, so that all of them agree to the bit.
 #ifndef NOOK_INTERSECT_CL
 #define NOOK_INTERSECT_CL
 
 #include "inline.h"
+#include "trace/near.cl"
 #include "trace/rays.cl"
 #include "shared/bvh.h"
 
@@ -97,19 +98,32 @@ float3 leaf_vertex(TREE_LEAF* leaf, uint vertex, uint lane) {
   return (float3)(leaf->p[0][place], leaf->p[1][place], leaf->p[2][place]);
 }
 
+// The lesser of |height| and its distance from `far`, where the ray ends.
+#define HEIGHT_LEFT(height, far) min_or_second(fabs((height) - (far)), fabs(height))
+
 // Whether the open segment o + t d, 0 < t < max_distance, meets the triangle, from either side; limit_z = max_distance |d[kz]|.
-// A triangle without area (det = 0 for every ray) is never met.
-bool triangle_occludes(float3 o, const RayShear* s, float limit_z, float3 p0, float3 p1, float3 p2) {
+// A triangle without area (det = 0 for every ray) is never met. near_height: NEAR_HEIGHT of the triangle.
+bool triangle_occludes(float3 o, float3 d, const RayShear* s, float max_distance, float limit_z, float3 p0, float3 p1, float3 p2,
+                       float near_height) {
   const ShearedTriangle t = shear_triangle(o, s, p0, p1, p2);
-  const float height = forward_height(&t, s->inverse_z);
-  return inside(&t) && height > 0.0f && height < fabs(t.det) * limit_z;
+  if (!inside(&t)) return false;
+  const float height = forward_height(&t, s->inverse_z), far = fabs(t.det) * limit_z;
+  if (!(far > 0.0f && HEIGHT_LEFT(height, far) <= near_height)) return height > 0.0f && height < far;
+  const float distance = plane_distance(o, d, p0, p1, p2);
+  return distance > 0.0f && distance < max_distance;
 }
 
+// Up to so many near_heights, a hit's distance is taken from the plane, so that it is right to a thousandth of itself at worst.
+#define NEAR_HITS 1024.0f
+
 // The same with the place: true for 0 < t < *limit; then *limit = t and hit = (1-u-v) p0 + u p1 + v p2.
-bool triangle_nearer(float3 o, const RayShear* s, float3 p0, float3 p1, float3 p2, float* limit, float* u, float* v) {
+bool triangle_nearer(float3 o, float3 d, const RayShear* s, float3 p0, float3 p1, float3 p2, float near_height, float* limit, float* u,
+                     float* v) {
   const ShearedTriangle f = shear_triangle(o, s, p0, p1, p2);
-  const float t = f.height * s->inverse_z / f.det;
-  if (!(inside(&f) && t > 0.0f && t < *limit)) return false;
+  if (!inside(&f) || f.det == 0.0f) return false;
+  float t = f.height * s->inverse_z / f.det;
+  if (fabs(f.height) <= (t < 0.0f ? near_height : NEAR_HITS * near_height)) t = plane_distance(o, d, p0, p1, p2);
+  if (!(t > 0.0f && t < *limit)) return false;
   *limit = t;
   *u = f.wb / f.det;
   *v = f.wc / f.det;
@@ -117,39 +131,5 @@ bool triangle_nearer(float3 o, const RayShear* s, float3 p0, float3 p1, float3 p
 }
 
 float greater(float a, float b) { return a > b ? a : b; }
-
-// The farthest that a, b and c are from x.
-float extent_about(float a, float b, float c, float x) { return greater(greater(fabs(a - x), fabs(b - x)), fabs(c - x)); }
-
-// x + offset, and a float on in the offset's direction; x where the offset is 0.
-float moved_on(float x, float offset) {
-  const float moved = x + offset;
-  const int bits = as_int(moved);
-  const uint smallest = (as_uint(offset) & 0x80000000u) | 1u;
-  const float next = moved == 0.0f ? as_float(smallest) : as_float((moved > 0.0f) == (offset > 0.0f) ? bits + 1 : bits - 1);
-  return offset != 0.0f ? next : moved;
-}
-
-// Origin for rays that leave the point (1-u-v) p0 + u p1 + v p2 of a triangle: off its plane by a bound on the
-// rounding error of that point, gamma(7) sum |b_i p_i| (Pharr, Jakob, Humphreys, pbrt 4th ed., 6.8.6), rounded away, and by what
-// the intersection may be off for this triangle: sheared coordinates are products of its extent, and where the point is exactly
-// in its plane (a floor at height 0) their roundings alone would decide on which side it lies.
-// geometric_normal: unit; side: >= 0 for the side it points to, < 0 for the other.
-INLINE void offset_origin(Vector p0, Vector p1, Vector p2, float u, float v, Vector geometric_normal, float side, Vector* origin) {
-  const float w = 1.0f - u - v;
-  const Vector a = {w * p0.x, w * p0.y, w * p0.z}, b = {u * p1.x, u * p1.y, u * p1.z}, c = {v * p2.x, v * p2.y, v * p2.z};
-  const Vector point = {a.x + b.x + c.x, a.y + b.y + c.y, a.z + b.z + c.z};
-  const float gamma7 = 4.172328e-7f;  // 7 e / (1 - 7 e), e = 2^-24
-  const float error = gamma7 * (fabs(geometric_normal.x) * (fabs(a.x) + fabs(b.x) + fabs(c.x)) +
-                                fabs(geometric_normal.y) * (fabs(a.y) + fabs(b.y) + fabs(c.y)) +
-                                fabs(geometric_normal.z) * (fabs(a.z) + fabs(b.z) + fabs(c.z)));
-  const float of_intersection =
-      9.536743e-7f * greater(greater(extent_about(p0.x, p1.x, p2.x, point.x), extent_about(p0.y, p1.y, p2.y, point.y)),
-                             extent_about(p0.z, p1.z, p2.z, point.z));  // 16 e
-  const float distance = side < 0.0f ? -(error + of_intersection) : error + of_intersection;
-  origin->x = moved_on(point.x, distance * geometric_normal.x);
-  origin->y = moved_on(point.y, distance * geometric_normal.y);
-  origin->z = moved_on(point.z, distance * geometric_normal.z);
-}
 
 #endif

@@ -88,6 +88,14 @@ INLINE void open_leaf(PlacedLeaf* opened, __global const TriangleLeaf* leaf, __g
     STORE_FLOATS(opened->p[axis],
                  fma((float16)(row[0]), x, fma((float16)(row[1]), y, fma((float16)(row[2]), z, (float16)(row[3])))));
   }
+  leaf_float extent = 0.0f;
+  for (uint axis = 0; axis < 3; ++axis) {
+    const float16 points = vload16(0, opened->p[axis]);
+    const leaf_float a = FIRST_CORNERS(points), b = SECOND_CORNERS(points), c = THIRD_CORNERS(points);
+    const leaf_float below = a < b ? a : b, above = a > b ? a : b, size = (above > c ? above : c) - (below < c ? below : c);
+    extent = size > extent ? size : extent;
+  }
+  STORE_LEAF(opened->near_height, NEAR_HEIGHT(extent));
   const uint to_scene = mesh->first_triangle - mesh->mesh_triangle;
   for (uint lane = 0; lane < BVH_LEAF_WIDTH; ++lane) {
     opened->stored[lane] = leaf->triangle[lane];

@@ -8,6 +8,7 @@
 // What the tests read of each ray. Offsets count floats.
 typedef struct {
   float ox[32], oy[32], oz[32];             // origins
+  float dx[32], dy[32], dz[32];
   float ix[32], iy[32], iz[32];             // 1/d
   uint near_x[32], near_y[32], near_z[32];  // BvhNode planes that the ray enters through
   float shear_x[32], shear_y[32];           // RayShear
@@ -28,6 +29,9 @@ void prepare_rays(StreamRays* r, const RayDirections* origins, const RayDirectio
   STORE_FLOATS(r->ox + first, ox);
   STORE_FLOATS(r->oy + first, oy);
   STORE_FLOATS(r->oz + first, oz);
+  STORE_FLOATS(r->dx + first, x);
+  STORE_FLOATS(r->dy + first, y);
+  STORE_FLOATS(r->dz + first, z);
   STORE_FLOATS(r->ix + first, ix);
   STORE_FLOATS(r->iy + first, iy);
   STORE_FLOATS(r->iz + first, iz);

@@ -52,13 +52,28 @@ INLINE void shear_leaf(ShearedLeaf* t, TREE_LEAF* leaf, const StreamRays* r, uin
               (AS_LEAF_FLOAT(AS_LEAF_UINT(wc) ^ sign) >= 0.0f);
 }
 
-// triangle_occludes() for all triangles of a leaf: -1 where ray k meets it, else 0.
-INLINE leaf_int leaf_occludes(TREE_LEAF* leaf, const StreamRays* r, uint k) {
+// triangle_occludes() for all triangles of a leaf: -1 where ray k meets it, else 0. *near: likewise, where near_lanes_occlude() is to tell.
+INLINE leaf_int leaf_occludes(TREE_LEAF* leaf, const StreamRays* r, uint k, leaf_int* near) {
   ShearedLeaf t;
   shear_leaf(&t, leaf, r, k);
   const leaf_uint flip = (AS_LEAF_UINT(t.det) ^ as_uint(r->inverse_z[k])) & SIGN_BIT;
-  const leaf_float height = AS_LEAF_FLOAT(AS_LEAF_UINT(t.height) ^ flip);
-  return t.inside & (height > 0.0f) & (height < fabs(t.det) * r->limit_z[k]);
+  const leaf_float height = AS_LEAF_FLOAT(AS_LEAF_UINT(t.height) ^ flip), far = fabs(t.det) * r->limit_z[k];
+  const leaf_float from_far = fabs(height - far), from_0 = fabs(height);
+  *near = t.inside & (far > 0.0f) & ((from_far < from_0 ? from_far : from_0) <= LOAD_LEAF(leaf->near_height));
+  return t.inside & (height > 0.0f) & (height < far) & ~*near;
+}
+
+// Whether ray k meets one of the `lanes` of a leaf, which it is inside of and near.
+bool near_lanes_occlude(WITH_CUT_PARAMS TREE_LEAF* leaf, uint lanes, const RayDirections* origins, const RayDirections* d, uint k,
+                        float max_distance) {
+  const float3 o = ray_direction(origins, k), along = ray_direction(d, k);
+  for (; lanes; lanes &= lanes - 1) {
+    const uint lane = LOWEST_BIT(lanes);
+    const float t = plane_distance(o, along, leaf_vertex(leaf, 0, lane), leaf_vertex(leaf, 1, lane), leaf_vertex(leaf, 2, lane));
+    if (!(t > 0.0f && t < max_distance)) continue;
+    if (!LANE_IN_HOLE(leaf, lane, o, along)) return true;
+  }
+  return false;
 }
 
 #if CUT_OUTS
@@ -78,27 +93,36 @@ INLINE leaf_int without_holes(CUT_PARAMS, TREE_LEAF* leaf, leaf_int met, const R
 #define WITHOUT_HOLES(leaf, met, origins, d, k) ((void)(origins), (void)(d), (met))
 #endif
 
+// plane_distance() of a leaf's triangle along ray k.
+float lane_distance(TREE_LEAF* leaf, uint lane, const StreamRays* r, uint k) {
+  const float3 o = (float3)(r->ox[k], r->oy[k], r->oz[k]), d = (float3)(r->dx[k], r->dy[k], r->dz[k]);
+  return plane_distance(o, d, leaf_vertex(leaf, 0, lane), leaf_vertex(leaf, 1, lane), leaf_vertex(leaf, 2, lane));
+}
+
 // triangle_nearer() for all triangles of a leaf: the nearest hit of ray k, if it is nearer than *t.
 // Of equally near triangles the lowest index, as closest_ray(); none at the limit itself.
 INLINE void leaf_nearer(WITH_CUT_PARAMS TREE_LEAF* leaf, const StreamRays* r, uint k, float* t, uint* triangle,
                         float* u, float* v) {
   ShearedLeaf f;
   shear_leaf(&f, leaf, r, k);
-  const leaf_float distance = f.height * r->inverse_z[k] / f.det;
-  const leaf_int hit = f.inside & (distance > 0.0f) & (distance <= *t);
+  const leaf_float distance = f.height * r->inverse_z[k] / f.det, least = LOAD_LEAF(leaf->near_height);
+  const leaf_int near = f.inside & (f.det != 0.0f) & (fabs(f.height) <= (distance < 0.0f ? least : NEAR_HITS * least));
+  const leaf_int hit = (f.inside & (distance > 0.0f) & (distance <= *t)) | near;
   uint lanes = (uint)OR_LEAF_LANES(hit & LEAF_BITS);
   if (!lanes) return;
-  float lane_distance[BVH_LEAF_WIDTH], lane_wb[BVH_LEAF_WIDTH], lane_wc[BVH_LEAF_WIDTH], lane_det[BVH_LEAF_WIDTH];
-  STORE_LEAF(lane_distance, distance);
+  float distances[BVH_LEAF_WIDTH], lane_wb[BVH_LEAF_WIDTH], lane_wc[BVH_LEAF_WIDTH], lane_det[BVH_LEAF_WIDTH];
+  STORE_LEAF(distances, distance);
+  for (uint rest = (uint)OR_LEAF_LANES(near & LEAF_BITS); rest; rest &= rest - 1)
+    distances[LOWEST_BIT(rest)] = lane_distance(leaf, LOWEST_BIT(rest), r, k);
   STORE_LEAF(lane_wb, f.wb);
   STORE_LEAF(lane_wc, f.wc);
   STORE_LEAF(lane_det, f.det);
   for (; lanes; lanes &= lanes - 1) {
     const uint lane = LOWEST_BIT(lanes);
     const uint id = leaf->triangle[lane];
-    const bool nearer = lane_distance[lane] < *t || (lane_distance[lane] == *t && *triangle != NO_TRIANGLE && id < *triangle);
+    const bool nearer = (distances[lane] > 0.0f && distances[lane] < *t) || (distances[lane] == *t && *triangle != NO_TRIANGLE && id < *triangle);
     if (!nearer || IN_HOLE(STORED_TRIANGLE(leaf, lane), lane_wb[lane] / lane_det[lane], lane_wc[lane] / lane_det[lane])) continue;
-    *t = lane_distance[lane];
+    *t = distances[lane];
     *triangle = id;
     *u = lane_wb[lane] / lane_det[lane];
     *v = lane_wc[lane] / lane_det[lane];

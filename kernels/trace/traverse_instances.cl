@@ -29,7 +29,10 @@ uint stream_occluded(BVH_PARAMS, const RayDirections* origins, const RayDirectio
       leaf_int met = 0;  // bit k of a lane: ray k meets that triangle
       for (; rest; rest &= rest - 1) {
         const uint k = LOWEST_BIT(rest);
-        met |= WITHOUT_HOLES(&leaf, leaf_occludes(&leaf, &rays, k), origins, d, k) & (leaf_int)(int)(1u << k);
+        leaf_int near;
+        met |= WITHOUT_HOLES(&leaf, leaf_occludes(&leaf, &rays, k, &near), origins, d, k) & (leaf_int)(int)(1u << k);
+        const uint lanes = (uint)OR_LEAF_LANES(near & LEAF_BITS);
+        if (lanes && near_lanes_occlude(WITH_CUT_ARGS &leaf, lanes, origins, d, k, max_distance)) open &= ~(1u << k);
       }
       open &= ~(uint)OR_LEAF_LANES(met);
     } else {

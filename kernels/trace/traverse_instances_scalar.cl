@@ -55,6 +55,13 @@ float3 placed_vertex(__global const TriangleLeaf* leaf, uint corner, uint lane, 
   return placed_point(mesh, (float3)(leaf->p[0][place], leaf->p[1][place], leaf->p[2][place]));
 }
 
+// TriangleLeaf.near_height of a placed triangle.
+float placed_near_height(float3 p0, float3 p1, float3 p2) {
+  const float3 size = fmax(p0, fmax(p1, p2)) - fmin(p0, fmin(p1, p2));
+  const float extent = greater(greater(size.x, size.y), size.z);
+  return NEAR_HEIGHT(extent);
+}
+
 // LANE_IN_HOLE() for a triangle whose corners are placed already.
 #if CUT_OUTS
 bool placed_in_hole(CUT_PARAMS, uint stored, float3 o, const RayShear* shear, float3 p0, float3 p1, float3 p2) {
@@ -83,7 +90,7 @@ bool occluded_ray(BVH_PARAMS, float3 o, float3 d, float max_distance) {
         if (leaf->triangle[lane] == NO_TRIANGLE) continue;
         const float3 p0 = placed_vertex(leaf, 0, lane, mesh), p1 = placed_vertex(leaf, 1, lane, mesh),
                      p2 = placed_vertex(leaf, 2, lane, mesh);
-        if (!triangle_occludes(o, &shear, limit_z, p0, p1, p2)) continue;
+        if (!triangle_occludes(o, d, &shear, max_distance, limit_z, p0, p1, p2, placed_near_height(p0, p1, p2))) continue;
         if (!PLACED_IN_HOLE(leaf->triangle[lane], o, &shear, p0, p1, p2)) return true;
       }
       continue;
@@ -122,8 +129,9 @@ bool closest_ray(BVH_PARAMS, float3 o, float3 d, float* t, uint* triangle, float
         const uint id = leaf->triangle[lane] - mesh->mesh_triangle + mesh->first_triangle;
         float distance = nextafter(*t, INFINITY);
         float hit_u, hit_v;
-        if (!triangle_nearer(o, &shear, placed_vertex(leaf, 0, lane, mesh), placed_vertex(leaf, 1, lane, mesh),
-                             placed_vertex(leaf, 2, lane, mesh), &distance, &hit_u, &hit_v))
+        const float3 p0 = placed_vertex(leaf, 0, lane, mesh), p1 = placed_vertex(leaf, 1, lane, mesh),
+                     p2 = placed_vertex(leaf, 2, lane, mesh);
+        if (!triangle_nearer(o, d, &shear, p0, p1, p2, placed_near_height(p0, p1, p2), &distance, &hit_u, &hit_v))
           continue;
         if (distance == *t && (found == NO_TRIANGLE || id > found)) continue;
         if (IN_HOLE(leaf->triangle[lane], hit_u, hit_v)) continue;

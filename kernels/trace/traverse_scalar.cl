@@ -26,8 +26,8 @@ bool occluded_ray(BVH_PARAMS, float3 o, float3 d, float max_distance) {
       __global const TriangleLeaf* leaf = &leaves[item & ~BVH_LEAF];
       for (uint lane = 0; lane < BVH_LEAF_WIDTH; ++lane) {
         if (leaf->triangle[lane] == NO_TRIANGLE) continue;
-        if (triangle_occludes(o, &shear, limit_z, leaf_vertex(leaf, 0, lane), leaf_vertex(leaf, 1, lane),
-                              leaf_vertex(leaf, 2, lane)) &&
+        if (triangle_occludes(o, d, &shear, max_distance, limit_z, leaf_vertex(leaf, 0, lane), leaf_vertex(leaf, 1, lane),
+                              leaf_vertex(leaf, 2, lane), leaf->near_height[lane]) &&
             !LANE_IN_HOLE(leaf, lane, o, d))
           return true;
       }
@@ -59,8 +59,8 @@ bool closest_ray(BVH_PARAMS, float3 o, float3 d, float* t, uint* triangle, float
         if (leaf->triangle[lane] == NO_TRIANGLE) continue;
         float distance = nextafter(*t, INFINITY);
         float hit_u, hit_v;
-        if (!triangle_nearer(o, &shear, leaf_vertex(leaf, 0, lane), leaf_vertex(leaf, 1, lane), leaf_vertex(leaf, 2, lane),
-                             &distance, &hit_u, &hit_v))
+        if (!triangle_nearer(o, d, &shear, leaf_vertex(leaf, 0, lane), leaf_vertex(leaf, 1, lane), leaf_vertex(leaf, 2, lane),
+                             leaf->near_height[lane], &distance, &hit_u, &hit_v))
           continue;
         if (distance == *t && (found == NO_TRIANGLE || leaf->triangle[lane] > found)) continue;
         if (IN_HOLE(leaf->triangle[lane], hit_u, hit_v)) continue;

@@ -23,12 +23,24 @@ INLINE uint occluded_by_root(BVH_PARAMS, const StreamRays* rays, const RayDirect
   uint open = active;
   for (uint lane = BVH_COUNT(nodes->leaves); open && lane-- > 0;) {
     __global const TriangleLeaf* leaf = &leaves[BVH_FIRST(nodes->leaves) + lane];
-    leaf_int hit = 0;  // likewise, of a triangle
+    leaf_int hit = 0, unsure = 0;  // likewise, of a triangle
     for (uint rest = met_rays[lane] & open; rest; rest &= rest - 1) {
       const uint k = LOWEST_BIT(rest);
-      hit |= WITHOUT_HOLES(leaf, leaf_occludes(leaf, rays, k), origins, d, k) & (leaf_int)(int)(1u << k);
+      leaf_int near;
+      hit |= WITHOUT_HOLES(leaf, leaf_occludes(leaf, rays, k, &near), origins, d, k) & (leaf_int)(int)(1u << k);
+      unsure |= near & (leaf_int)(int)(1u << k);
     }
     open &= ~(uint)OR_LEAF_LANES(hit);
+    uint lanes[BVH_LEAF_WIDTH];
+    uint near_rays = (uint)OR_LEAF_LANES(unsure) & open;
+    if (!near_rays) continue;
+    STORE_LEAF(lanes, AS_LEAF_UINT(unsure));
+    for (; near_rays; near_rays &= near_rays - 1) {
+      const uint k = LOWEST_BIT(near_rays);
+      uint of_ray = 0;
+      for (uint i = 0; i < BVH_LEAF_WIDTH; ++i) of_ray |= (lanes[i] >> k & 1u) << i;
+      if (near_lanes_occlude(WITH_CUT_ARGS leaf, of_ray, origins, d, k, max_distance)) open &= ~(1u << k);
+    }
   }
   return active & ~open;
 }
@@ -70,11 +82,24 @@ uint stream_occluded(BVH_PARAMS, const RayDirections* origins, const RayDirectio
       leaves_met += append_lanes(met + leaves_met, (BVH_FIRST(node->leaves) - inner) << 5 | k, 32u, lanes & ~are_nodes);
     }
     for (uint i = 0; i < leaves_met; ++i) PREFETCH_ITEM(met[i] >> 5 | BVH_LEAF)
+    uint leaves_near = 0;  // the first of `met` from then on: leaves with triangles that their ray is near
     for (uint i = 0; i < leaves_met; ++i) {
       const uint k = met[i] & 31u;
       __global const TriangleLeaf* leaf = &leaves[met[i] >> 5];
-      const leaf_int hit = WITHOUT_HOLES(leaf, leaf_occludes(leaf, &rays, k), origins, d, k);
+      leaf_int near;
+      const leaf_int hit = WITHOUT_HOLES(leaf, leaf_occludes(leaf, &rays, k, &near), origins, d, k);
       open &= ~((uint)(OR_LEAF_LANES(hit) != 0) << k);
+      met[leaves_near] = met[i];
+      leaves_near += OR_LEAF_LANES(near) != 0;
+    }
+    for (uint i = 0; i < leaves_near; ++i) {
+      const uint k = met[i] & 31u;
+      __global const TriangleLeaf* leaf = &leaves[met[i] >> 5];
+      if (!(open >> k & 1u)) continue;
+      leaf_int near;
+      leaf_occludes(leaf, &rays, k, &near);
+      const uint lanes = (uint)OR_LEAF_LANES(near & LEAF_BITS);
+      if (near_lanes_occlude(WITH_CUT_ARGS leaf, lanes, origins, d, k, max_distance)) open &= ~(1u << k);
     }
     waiting &= open;
   }

@@ -111,7 +111,7 @@ void read_materials(const std::string& path) {
 }
 
 void read_points(const std::string& path) {
-  load_points(path, true, Bounds3{vec3(-1), vec3(1)});
+  load_points(path, true);
 }
 
 void read_part(const std::string& path) {

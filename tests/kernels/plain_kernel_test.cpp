@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
              "origins->x[k] -= p->min_distance * d->x[k];",
              {{"MIN_DISTANCE", 1}}},
         Part{"cone", "stage/occlusion.cl", "y = sine * in_frame.y;", "y = sine * in_frame.x;", {{"CONE", 1}}},
-        Part{"side", "stage/occlusion.cl", "1.251699e-6f", "2.5e-6f", {{"SIDE", 1}}},
+        Part{"side", "stage/occlusion.cl", "-2.0f * point->distance", "-3.0f * point->distance", {{"SIDE", 1}}},
         Part{"bent", "stage/occlusion.cl", "weight * d.x", "weight * d.y", {{"BENT", 1}}},
         Part{"bent_view",
              "stage/occlusion.cl",

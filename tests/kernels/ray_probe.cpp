@@ -7,6 +7,7 @@ namespace nook::testing {
 namespace {
 
 const char* const source = R"(
+#include "trace/origin.cl"
 #include "trace/traverse.cl"
 
 float3 load_direction(__global const float* stream, uint k) {
@@ -60,7 +61,8 @@ Vector load_vector(__global const float* p) {
 __kernel void probe_offset(BVH_PARAMS, __global const float* samples, float unused, __global float* origins) {
   __global const float* s = samples + 15 * get_global_id(0);
   Vector o;
-  offset_origin(load_vector(s), load_vector(s + 3), load_vector(s + 6), s[12], s[13], load_vector(s + 9), s[14], &o);
+  offset_origin(load_vector(s), load_vector(s + 3), load_vector(s + 6), s[12], s[13], load_vector(s + 9), s[14], load_vector(s),
+                load_vector(s + 9), INFINITY, &o);
   __global float* out = origins + 3 * get_global_id(0);
   out[0] = o.x, out[1] = o.y, out[2] = o.z;
 }
@@ -96,14 +98,23 @@ std::string source_of(const TraversalVariant& variant) {
   return variant.avx512 ? text : test::without_avx512(text);
 }
 
+Bvh tree_of(const TriangleMesh& mesh, unsigned width) {
+  return build_bvh(mesh, {.width = width, .refined = width == 8});
+}
+
 }  // namespace
 
 std::ostream& operator<<(std::ostream& out, const TraversalVariant& variant) {
   return out << variant.name;
 }
 
+void RayProbe::take(const TriangleMesh& mesh) {
+  bvh_ = tree_of(mesh, width_);
+}
+
 RayProbe::RayProbe(const TriangleMesh& mesh, const TraversalVariant& variant)
-    : bvh_(build_bvh(mesh, {.width = variant.width, .refined = variant.width == 8})),
+    : width_(variant.width),
+      bvh_(tree_of(mesh, variant.width)),
       device_(test::device()),
       program_(build_program(device_, source_of(variant),
                              BuildOptions(variant.options).define("BVH_WIDTH", variant.width))) {}

@@ -43,6 +43,8 @@ std::ostream& operator<<(std::ostream& out, const TraversalVariant& variant);
 class RayProbe {
  public:
   RayProbe(const TriangleMesh& mesh, const TraversalVariant& variant = {});
+  /// Another mesh for the same kernels.
+  void take(const TriangleMesh& mesh);
 
   /// Bit k of element i: ray k of stream i is occluded.
   std::vector<std::uint32_t> occluded(const std::vector<RayStream>& streams, float max_distance);
@@ -56,6 +58,7 @@ class RayProbe {
   std::vector<std::uint32_t> bits(const char* kernel, const std::vector<RayStream>& streams,
                                   float max_distance);
 
+  unsigned width_;
   Bvh bvh_;
   Device& device_;
   BuiltProgram program_;

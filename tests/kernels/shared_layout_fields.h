@@ -3,7 +3,7 @@
 #define SHARED_LAYOUT(STRUCT, FIELD)                                                                                       \
   STRUCT(NodeOfKernel) FIELD(NodeOfKernel, lo) FIELD(NodeOfKernel, hi) FIELD(NodeOfKernel, nodes)                          \
   FIELD(NodeOfKernel, leaves) FIELD(NodeOfKernel, unused)                                                                  \
-  STRUCT(TriangleLeaf) FIELD(TriangleLeaf, p) FIELD(TriangleLeaf, triangle) FIELD(TriangleLeaf, unused)                    \
+  STRUCT(TriangleLeaf) FIELD(TriangleLeaf, p) FIELD(TriangleLeaf, triangle) FIELD(TriangleLeaf, near_height)               \
   STRUCT(PlacedMesh) FIELD(PlacedMesh, point) FIELD(PlacedMesh, normal) FIELD(PlacedMesh, first_triangle)                  \
   FIELD(PlacedMesh, mesh_triangle) FIELD(PlacedMesh, root) FIELD(PlacedMesh, meshes)                                       \
   STRUCT(CutTriangle) FIELD(CutTriangle, uv) FIELD(CutTriangle, map) FIELD(CutTriangle, reserved)                          \

@@ -28,7 +28,7 @@ inline Film estimate_at_origin(const TriangleMesh& mesh, const Effect& effect,
   const Plan plan = make_plan(scene, mesh);
   const Bvh bvh = build_bvh(mesh);
   OcclusionTracer tracer(device(), plan, mesh, bvh);
-  const SurfacePoint point = surface_point({0, 0, 0}, {0, 0, 1}, {0, 0, 1}, mesh.bounds);
+  const SurfacePoint point = surface_point({0, 0, 0}, {0, 0, 1}, {0, 0, 1});
   return tracer.estimate_points({&point, 1}, 0, directions);
 }
 

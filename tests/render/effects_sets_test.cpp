@@ -108,7 +108,7 @@ TEST(Sets, OnlySelfIsEachGroupAlone) {
     const auto& c = mesh.triangles[t];
     const vec3 normal = glm::normalize(
         glm::cross(mesh.positions[c[1]] - mesh.positions[c[0]], mesh.positions[c[2]] - mesh.positions[c[0]]));
-    points.push_back(surface_point(centre, -normal, vec3(0), mesh.bounds));
+    points.push_back(surface_point(centre, -normal, vec3(0)));
     points.back().triangle = t;
   }
   for (const Falloff falloff : {Falloff::none, Falloff::smooth})

@@ -101,7 +101,7 @@ TEST(UniformWeight, APlantedDefectIsSeen) {
     const Plan plan = make_plan(scene, mesh);
     const Bvh bvh = build_bvh(mesh);
     OcclusionTracer tracer(device(), plan, mesh, bvh, source);
-    const SurfacePoint point = surface_point({0, 0, 0}, {0, 0, 1}, {0, 0, 1}, mesh.bounds);
+    const SurfacePoint point = surface_point({0, 0, 0}, {0, 0, 1}, {0, 0, 1});
     return tracer.estimate_points({&point, 1}, 0, scene.directions).value(0);
   };
   EXPECT_NEAR(value_with(kernel_source, Sampling::sphere), c, 0.03);

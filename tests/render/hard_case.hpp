@@ -53,7 +53,7 @@ class Case {
     return film;
   }
   SurfacePoint point(vec3 position, vec3 normal, vec3 view = vec3(0)) const {
-    return surface_point(position, normal, view, mesh_.bounds);
+    return surface_point(position, normal, view);
   }
   const TriangleMesh& mesh() const { return mesh_; }
   const Bvh& bvh() const { return bvh_; }

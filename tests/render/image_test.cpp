@@ -114,7 +114,7 @@ TEST(ImageMutants, AreRejected) {
   };
   const Mutation mutations[] = {
       {"rays start 1e-2 off the surface", EffectKind::ao, Sampling::cosine, "stage/primary.cl",
-       "9.536743e-7f * greater(greater(", "1e-2f * greater(greater("},
+       "9.536743e-7f * lesser(", "1e-2f * lesser("},
       {"flipped normal", EffectKind::ao, Sampling::cosine, "stage/primary.cl",
        "store3(out->normal, ray_direction(", "store3(out->normal, -ray_direction("},
       {"limit ignored", EffectKind::ao, Sampling::cosine, "stage/occlusion.cl",

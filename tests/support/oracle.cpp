@@ -82,11 +82,13 @@ OracleTracer brute_force(const TriangleMesh& mesh) {
   return {closest, occluded, 1e-9};
 }
 
-OracleTracer embree_robust(const TriangleMesh& mesh) {
+namespace {
+
+OracleTracer embree(const TriangleMesh& mesh, RTCSceneFlags flags) {
   std::shared_ptr<RTCDeviceTy> device(rtcNewDevice("threads=1"), rtcReleaseDevice);
   if (!device) throw std::runtime_error("Embree has no device");
   std::shared_ptr<RTCSceneTy> scene(rtcNewScene(device.get()), [device](RTCScene s) { rtcReleaseScene(s); });
-  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneFlags(scene.get(), flags);
   RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
   void* vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                            sizeof(vec3), mesh.positions.size());
@@ -126,6 +128,16 @@ OracleTracer embree_robust(const TriangleMesh& mesh) {
     return ray.tfar < 0;
   };
   return {closest, occluded, 1e-5};
+}
+
+}  // namespace
+
+OracleTracer embree_robust(const TriangleMesh& mesh) {
+  return embree(mesh, RTC_SCENE_FLAG_ROBUST);
+}
+
+OracleTracer embree_fast(const TriangleMesh& mesh) {
+  return embree(mesh, RTC_SCENE_FLAG_NONE);
 }
 
 ReferenceImage reference_image(const Scene& scene, const TriangleMesh& mesh, const OracleTracer& tracer,

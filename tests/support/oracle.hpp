@@ -27,8 +27,9 @@ struct OracleTracer {
 /// Every triangle in double precision (Cramer's rule): no tree, no float.
 OracleTracer brute_force(const TriangleMesh& mesh);
 
-/// Embree 3 with RTC_SCENE_FLAG_ROBUST.
+/// Embree 3 with RTC_SCENE_FLAG_ROBUST, and as it is by default, faster and with gaps at edges.
 OracleTracer embree_robust(const TriangleMesh& mesh);
+OracleTracer embree_fast(const TriangleMesh& mesh);
 
 /// An image with the variance of each pixel's mean, from `count` independent samples a pixel.
 struct ReferenceImage {

@@ -1,9 +1,15 @@
 #include "support/rendering.hpp"
 
+#include "points/outside.hpp"
+#include "render/point_estimates.hpp"
+
 namespace nook::test {
 
 Renderer::Renderer(const Scene& scene, const TriangleMesh& mesh, const OcclusionTracer::KernelSource& source)
-    : plan_(make_plan(scene, mesh)), bvh_(build_bvh(mesh)), tracer_(device(), plan_, mesh, bvh_, source) {}
+    : mesh_(mesh),
+      plan_(make_plan(scene, mesh)),
+      bvh_(build_bvh(mesh)),
+      tracer_(device(), plan_, mesh, bvh_, source) {}
 
 ReferenceImage Renderer::picture() {
   std::vector<Film> films = tracer_.make_films();
@@ -17,8 +23,14 @@ ReferenceImage Renderer::picture() {
   return image;
 }
 
-Film Renderer::at_points(const std::vector<SurfacePoint>& points, std::uint32_t directions) {
+Film Renderer::at_points(std::vector<SurfacePoint> points, std::uint32_t directions) {
+  move_outside(points, mesh_);
   return tracer_.estimate_points(points, 0, directions);
+}
+
+Film Renderer::with_errors(std::vector<SurfacePoint> points, std::uint32_t directions) {
+  move_outside(points, mesh_);
+  return std::move(estimate_at_points(tracer_, plan_, points, directions)[0]);
 }
 
 ReferenceImage replicated_picture(Scene scene, const TriangleMesh& mesh, int replicates) {

@@ -14,11 +14,14 @@ class Renderer {
 
   /// The first effect's picture with the variance of each pixel.
   ReferenceImage picture();
-  /// AO or RO at points, `directions` directions each.
-  Film at_points(const std::vector<SurfacePoint>& points, std::uint32_t directions);
+  /// AO or RO at points that may lie on surfaces, `directions` directions each.
+  Film at_points(std::vector<SurfacePoint> points, std::uint32_t directions);
+  /// The same with the spread of randomisations, as probe and bakes have it.
+  Film with_errors(std::vector<SurfacePoint> points, std::uint32_t directions);
   const RenderCounters& counters() const { return tracer_.counters(); }
 
  private:
+  TriangleMesh mesh_;
   Plan plan_;
   Bvh bvh_;
   OcclusionTracer tracer_;

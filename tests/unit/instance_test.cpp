@@ -84,8 +84,8 @@ TEST(Ground, LiesUnderTheMeshAndLeavesTheDistanceAlone) {
   EXPECT_EQ(grounded.bounds.lo.y, bare.bounds.lo.y);
   EXPECT_LT(grounded.bounds.lo.x, -10);
   Effect ao;
-  EXPECT_EQ(resolve_distance(ao, grounded.subject_bounds(), false),
-            resolve_distance(ao, bare.subject_bounds(), false));
+  EXPECT_EQ(resolve_distance(ao, subject_radius(grounded), false),
+            resolve_distance(ao, subject_radius(bare), false));
   const TriangleMesh lower =
       load(folder, "[input]\nobjfile = \"one.obj\"\n[ground]\nheight = -2\nreach = 3\n");
   EXPECT_EQ(lower.bounds.lo.y, -2);

@@ -64,9 +64,9 @@ TEST(Plan, OneEffectIsRgb) {
 // A mesh without extent far from the origin: eye and center must not round to the same point.
 TEST(Plan, FramesAPoint) {
   for (const float at : {0.0f, 1.0f, -1e6f, 1e-20f}) {
-    Bounds3 bounds;
-    bounds.add(vec3(at, at, -at));
-    const CameraParams camera = camera_params(scene_of_mesh("point.obj"), bounds);
+    TriangleMesh mesh;
+    mesh.bounds.add(vec3(at, at, -at));
+    const CameraParams camera = camera_params(scene_of_mesh("point.obj"), mesh);
     const dvec3 forward(camera.forward[0], camera.forward[1], camera.forward[2]),
         right(camera.right[0], camera.right[1], camera.right[2]);
     EXPECT_NEAR(glm::length(forward), 1, 1e-6) << at;

@@ -73,7 +73,7 @@ void expect_recorded(const Effect& effect, const KeyInfo& key, const KeyValue& v
   RunRecord record;
   EffectPlan planned;
   planned.effect = effect;
-  planned.max_distance = resolve_distance(effect, Bounds3{vec3(0), vec3(1)}, false);
+  planned.max_distance = resolve_distance(effect, Bounds3{vec3(0), vec3(1)}.bounding_radius(), false);
   record.plan.effects = {planned};
   const std::string name(key.recorded_as());
   const KeyValue known = key.name == "max_distance" ? KeyValue(planned.max_distance) : value;

@@ -121,7 +121,9 @@ void write_texture(const TextureOptions& options, const TexturePoints& texels, S
   part.aovs.push_back("alpha");
   for (const Film& film : films) part.films.push_back(spread(film, texels));
   if (asked.normal) add_vectors("N", texels.normals, texels, part.surface);
-  if (asked.position) add_vectors("P", texels.positions, texels, part.surface);
+  std::vector<vec3> positions = texels.positions;
+  for (vec3& p : positions) p = vec3(plan.frame.to_file(dvec3(p)));
+  if (asked.position) add_vectors("P", positions, texels, part.surface);
   Image image = make_picture(part);
   dilate(image, dilation_sources(texels.texels, texels.size, options.dilation.value_or(8)));
   if (is_png(output))

@@ -41,7 +41,8 @@ int print_info(const SceneOptions& options) {
   const TriangleMesh mesh = load_and_warn(
       scene, {.normals = true, .uvs = true, .materials = true, .groups = true}, scene.instancing);
   const MeshAnalysis analysis = analyse(mesh);
-  const vec3 lo = mesh.bounds.lo, hi = mesh.bounds.hi, center = mesh.bounds.center();
+  const dvec3 lo = mesh.frame.to_file(dvec3(mesh.bounds.lo)), hi = mesh.frame.to_file(dvec3(mesh.bounds.hi)),
+              center = mesh.frame.to_file(dvec3(mesh.bounds.center()));
   fmt::print("mesh              {}\n", scene.mesh_file.string());
   fmt::print("triangles         {}\n", mesh.scene_triangles());
   if (!mesh.instances.empty())
@@ -52,7 +53,10 @@ int print_info(const SceneOptions& options) {
   fmt::print("bounds            ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})\n", lo.x, lo.y, lo.z, hi.x, hi.y,
              hi.z);
   fmt::print("bounding sphere   center ({:g}, {:g}, {:g}), radius {:g}\n", center.x, center.y, center.z,
-             mesh.bounds.bounding_radius());
+             mesh.frame.to_file(double(mesh.bounds.bounding_radius())));
+  if (mesh.frame != Frame())
+    fmt::print("computed          about ({}, {}, {}), in units of 2^{}\n", mesh.frame.center.x,
+               mesh.frame.center.y, mesh.frame.center.z, mesh.frame.exponent);
   fmt::print("vertex normals    {}\n",
              mesh.has_normals()
                  ? fmt::format("{} ({} corners without, {} not of unit length)", mesh.normals.size(),
@@ -65,7 +69,7 @@ int print_info(const SceneOptions& options) {
   for (std::size_t e = 0; e < scene.effects.size(); ++e) {
     const Effect& effect = scene.effects[e];
     if (!is_traced(effect.kind)) continue;
-    const float limit = resolve_distance(effect, mesh.subject_bounds(), scene.compat_tinyrender);
+    const float limit = resolve_distance(effect, subject_radius(mesh), scene.compat_tinyrender);
     fmt::print("distance limit    {} for {} ({})\n", std::isinf(limit) ? "none" : fmt::format("{:g}", limit),
                effect_label(effect.kind, prefixes[e]),
                effect.max_distance.kind == DistanceLimit::Kind::automatic && scene.compat_tinyrender

@@ -10,7 +10,9 @@
 #include "app/options/loading.hpp"
 #include "app/options/scene_options.hpp"
 #include "base/error.hpp"
+#include "points/outside.hpp"
 #include "points/points.hpp"
+#include "render/point_estimates.hpp"
 #include "render/scene_renderer.hpp"
 #include "scene/effect_keys.hpp"
 
@@ -65,15 +67,18 @@ int probe(const ProbeOptions& options) {
       scene, [&] { return options.device.open(); }, std::move(made));
   warn_of(renderer.mesh());
   const bool needs_view = scene.effects.front().kind == EffectKind::ro;
-  const Bounds3& bounds = renderer.mesh().bounds;
-  const std::vector<SurfacePoint> points = options.points == "-"
-                                               ? read_points(std::cin, "standard input", needs_view, bounds)
-                                               : load_points(options.points, needs_view, bounds);
+  const Frame& frame = renderer.mesh().frame;
+  std::vector<SurfacePoint> points = options.points == "-"
+                                         ? read_points(std::cin, "standard input", needs_view, frame)
+                                         : load_points(options.points, needs_view, frame);
+  move_outside(points, renderer.mesh());
   renderer.expect_rays(double(points.size()) * options.samples);
   const Film film = std::move(renderer.estimate(points, options.samples).front());
   fmt::print("value,standard_error,samples\n");
   for (std::size_t i = 0; i < film.pixels(); ++i)
-    fmt::print("{:.9g},{:.9g},{}\n", film.value(i), std::sqrt(film.variance(i)), film.replicates[i]);
+    fmt::print("{:.9g},{:.9g},{}\n", film.value(i),
+               standard_error(film, i, renderer.plan().effects[0].weight_bound),
+               film.replicates[i] * film.per_replicate);
   if (renderer.tracer().counters().rejected)
     fmt::print(stderr, "warning: {} samples were not finite and were left out\n",
                renderer.tracer().counters().rejected);

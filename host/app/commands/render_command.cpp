@@ -163,7 +163,7 @@ int render_turntable(const Scene& scene, const RenderOptions& options) {
   Scene still = scene;
   still.stop = options.check(scene);
   SceneRenderer renderer = make_renderer(still, options, options.aovs);
-  const Camera camera = resolve_camera(scene, renderer.mesh().subject_bounds());
+  const Camera camera = resolve_camera(scene, renderer.mesh());
   int worst = 0;
   for (unsigned i = 0; i < options.turntable; ++i) {
     Scene turned = scene;

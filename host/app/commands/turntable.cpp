@@ -12,10 +12,10 @@ Camera turned_camera(const Camera& camera, unsigned index, unsigned count) {
   if (index == 0) return camera;
   // Rodrigues' formula, in double precision: every picture from the first, so that no error adds up.
   const double angle = 2 * glm::pi<double>() * index / count;
-  const dvec3 axis = glm::normalize(dvec3(camera.up)), at = camera.at, arm = dvec3(camera.eye) - at;
+  const dvec3 axis = glm::normalize(dvec3(camera.up)), at = camera.at, arm = camera.eye - at;
   const dvec3 along = glm::dot(arm, axis) * axis, across = arm - along;
   Camera turned = camera;
-  turned.eye = vec3(at + along + std::cos(angle) * across + std::sin(angle) * glm::cross(axis, across));
+  turned.eye = at + along + std::cos(angle) * across + std::sin(angle) * glm::cross(axis, across);
   return turned;
 }
 
