@@ -19,8 +19,9 @@ struct GrayImage {
 };
 
 /// The opacity in a PNG of any kind: its alpha channel or, if it has none, its gray (of colors: Rec. 709
-/// luminance of the values as they are); 8 bits, of 16 the upper. Throws Error(scene) with one line: missing,
+/// luminance of the values as they are); 8 bits, of 16 the upper. Or what `channel` names: r, g, b; l: its
+/// gray; m: its alpha, 255 if it has none. Throws Error(scene) with one line: missing,
 /// not a regular file, damaged, over 16384 pixels a side.
-GrayImage read_png_opacity(const std::filesystem::path& path);
+GrayImage read_png_opacity(const std::filesystem::path& path, char channel = 0);
 
 }  // namespace nook

@@ -54,15 +54,19 @@ bool read_rows(png_structp png, png_uint_32 height, int passes, png_bytep pixels
   return true;
 }
 
-std::uint8_t opacity_of(const png_byte* pixel, std::size_t channels) {
-  if (channels == 2 || channels == 4) return pixel[channels - 1];
-  if (channels == 1) return pixel[0];
+std::uint8_t opacity_of(const png_byte* pixel, std::size_t channels, char wanted) {
+  const bool with_alpha = channels == 2 || channels == 4, gray = channels < 3;
+  if (wanted == 'm' && !with_alpha) return 255;
+  const bool of_color = wanted == 'r' || wanted == 'g' || wanted == 'b' || wanted == 'l';
+  if (with_alpha && !of_color) return pixel[channels - 1];
+  if (gray) return pixel[0];
+  if (of_color && wanted != 'l') return pixel[wanted == 'r' ? 0 : wanted == 'g' ? 1 : 2];
   return std::uint8_t(0.2126 * pixel[0] + 0.7152 * pixel[1] + 0.0722 * pixel[2] + 0.5);
 }
 
 }  // namespace
 
-GrayImage read_png_opacity(const std::filesystem::path& path) {
+GrayImage read_png_opacity(const std::filesystem::path& path, char channel) {
   const auto fail = [&](const std::string& why) {
     throw Error(ExitCode::scene, fmt::format("{}: {}", path.string(), why));
   };
@@ -90,7 +94,7 @@ GrayImage read_png_opacity(const std::filesystem::path& path) {
       complete = read_rows(png, image.height, passes, pixels.data(), row_bytes);
       for (png_uint_32 y = 0; complete && y < image.height; ++y)
         for (png_uint_32 x = 0; x < image.width; ++x)
-          image.values.push_back(opacity_of(&pixels[y * row_bytes + x * channels], channels));
+          image.values.push_back(opacity_of(&pixels[y * row_bytes + x * channels], channels, channel));
     }
   }
   png_destroy_read_struct(&png, &info, nullptr);

@@ -10,6 +10,7 @@
 #include "base/input_file.hpp"
 #include "mesh/obj_loader.hpp"
 #include "mesh/ply.hpp"
+#include "mesh/stl_loader.hpp"
 
 namespace nook {
 namespace {
@@ -25,7 +26,7 @@ TriangleMesh load_whole_obj(const std::filesystem::path& path, const MeshAttribu
   return load_obj(path, attributes);
 }
 
-constexpr Format formats[] = {{".obj", load_whole_obj}, {".ply", load_ply}};
+constexpr Format formats[] = {{".obj", load_whole_obj}, {".ply", load_ply}, {".stl", load_stl}};
 
 constexpr std::string_view unread[] = {
     ".3dm", ".3ds", ".3mf",  ".abc", ".amf",  ".ase",  ".blend", ".c4d",  ".ctm",  ".dae", ".drc", ".dwg",

@@ -7,6 +7,8 @@
 #include <memory>
 #include <unordered_set>
 
+#include "mesh/opacity_maps.hpp"
+
 namespace nook {
 namespace {
 
@@ -25,13 +27,6 @@ void update(XXH3_state_t* state, const std::vector<T>& values) {
   const std::uint64_t count = values.size();
   XXH3_128bits_update(state, &count, sizeof count);
   XXH3_128bits_update(state, values.data(), values.size() * sizeof(T));
-}
-
-// Which of the maps a material has; -1: none. Not its path: a mesh may be moved.
-std::int64_t map_of(const TriangleMesh& mesh, const Material& material) {
-  const auto map = std::find_if(mesh.opacity_maps.begin(), mesh.opacity_maps.end(),
-                                [&](const OpacityMap& m) { return m.file == material.opacity_map; });
-  return map == mesh.opacity_maps.end() ? -1 : map - mesh.opacity_maps.begin();
 }
 
 }  // namespace
@@ -67,8 +62,16 @@ std::string mesh_hash(const TriangleMesh& mesh) {
   for (const Material& material : mesh.materials) {
     XXH3_128bits_update(state.get(), material.name.data(), material.name.size() + 1);
     XXH3_128bits_update(state.get(), &material.phong_exponent, sizeof material.phong_exponent);
-    const std::int64_t map = map_of(mesh, material);
+    // Not the map's path: a mesh may be moved. Its options only if it has some.
+    const std::optional<std::uint32_t> index = index_of_map(mesh, material);
+    const std::int64_t map = index ? std::int64_t(*index) : -1;
     XXH3_128bits_update(state.get(), &map, sizeof map);
+    const MapLookup& lookup = material.map;
+    if (map >= 0 && (lookup.scale != vec2(1) || lookup.offset != vec2(0) || lookup.clamp)) {
+      const float options[5] = {lookup.scale.x, lookup.scale.y, lookup.offset.x, lookup.offset.y,
+                                lookup.clamp ? 1.0f : 0.0f};
+      XXH3_128bits_update(state.get(), options, sizeof options);
+    }
   }
   for (const TriangleMesh::Instance& instance : mesh.instances)
     XXH3_128bits_update(state.get(), &instance, sizeof instance);

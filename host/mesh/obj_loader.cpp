@@ -107,11 +107,11 @@ void warn_of_odd_uvs(const std::vector<ObjPiece>& pieces, PolygonMesh& mesh) {
     if (count == 0) line = piece.odd_uv_line;
     count += piece.odd_uvs;
   }
-  if (count > 0)
-    mesh.warnings.push_back(
-        fmt::format("{}:{}: {} that {} not finite: corners with {} have none", mesh.name, line,
-                    count == 1 ? "texture coordinates" : fmt::format("{} texture coordinates", count), "are",
-                    count == 1 ? "it" : "them"));
+  if (count == 0) return;
+  const std::string others = count > 1 ? fmt::format(" (and {} more)", count - 1) : "";
+  mesh.warnings.push_back(
+      fmt::format("{}:{}: texture coordinates that are not finite{}: corners with them have none", mesh.name,
+                  line, others));
 }
 
 }  // namespace

@@ -53,7 +53,8 @@ class Crossings {
            between(2 * a + 1, 2 * b + 1);
   }
 
-  bool cross(std::size_t e, std::size_t f) const {
+  bool cross(std::size_t e, std::size_t f) const {  // e < f; neighbours cannot
+    if (f == e + 1 || (e == 0 && f + 1 == outline_.size())) return false;
     const dvec2 &a = outline_[e], &b = end_of(e), &c = outline_[f], &d = end_of(f);
     if (orientation(a, b, c) * orientation(a, b, d) >= 0 || orientation(c, d, a) * orientation(c, d, b) >= 0)
       return false;

@@ -33,7 +33,13 @@ class PlyLoader {
   }
 
  private:
-  FaceBlock& block() { return mesh_.blocks[0]; }
+  FaceBlock& block() { return mesh_.blocks.back(); }
+
+  // Blocks of so many corners keep threads busy that cut them.
+  void begin_face() {
+    constexpr std::size_t enough = 1 << 17;
+    if (block().positions.size() >= enough) mesh_.blocks.emplace_back();
+  }
 
   void read_vertices(const PlyElement& element) {
     static constexpr std::array<const char*, 2> uv_names[] = {
@@ -85,9 +91,8 @@ class PlyLoader {
   void read_faces(const PlyElement& element) {
     const bool with_uvs = want_.uvs && element.find("texcoord", true) >= 0;
     std::vector<double> uvs;
-    block().positions.reserve(
-        std::size_t(3 * std::min<std::uint64_t>(element.count, body_.most_values_left() / 3)));
     for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
+      begin_face();
       const std::size_t first = block().positions.size();
       body_.skip_blanks();
       const std::size_t place = body_.is_text() ? body_.line() : std::size_t(i + 1);
@@ -171,13 +176,14 @@ class PlyLoader {
   // Corners' own texture coordinates stand behind those of vertices; corners without have their vertices'.
   void join_uvs() {
     if (corner_uvs_.empty()) return;
-    FaceBlock& faces = block();
-    faces.uvs.resize(faces.positions.size(), FaceBlock::none);
-    for (std::size_t c = 0; c < faces.uvs.size(); ++c)
-      if (faces.uvs[c] != FaceBlock::none)
-        faces.uvs[c] += std::uint32_t(mesh_.uvs.size());
-      else if (mesh_.vertices_have_uvs)
-        faces.uvs[c] = faces.positions[c];
+    for (FaceBlock& faces : mesh_.blocks) {
+      faces.uvs.resize(faces.positions.size(), FaceBlock::none);
+      for (std::size_t c = 0; c < faces.uvs.size(); ++c)
+        if (faces.uvs[c] != FaceBlock::none)
+          faces.uvs[c] += std::uint32_t(mesh_.uvs.size());
+        else if (mesh_.vertices_have_uvs)
+          faces.uvs[c] = faces.positions[c];
+    }
     mesh_.uvs.insert(mesh_.uvs.end(), corner_uvs_.begin(), corner_uvs_.end());
     mesh_.vertices_have_uvs = false;
   }
@@ -204,7 +210,7 @@ TriangleMesh load_ply(const std::filesystem::path& path, const MeshAttributes& a
     PlyLoader(body, header, want, mesh);
   }
   if (want.groups) mesh.groups = {path.stem().string()};
-  mesh.blocks[0].runs.push_back({});
+  for (FaceBlock& block : mesh.blocks) block.runs.push_back({});
   return triangulated(std::move(mesh), want);
 }
 

@@ -35,6 +35,7 @@ struct OpacityMap {
   std::string file;
   std::uint32_t width = 0, height = 0;
   std::vector<std::uint8_t> opacity;
+  MapLookup lookup;  ///< the channel, base and gain by which it was made, and clamp
 };
 
 /// What to keep of a mesh file; what no effect reads is not kept.

@@ -210,7 +210,7 @@ void warn_of_crossings(TriangleMesh& mesh, const PolygonMesh& polygons, const st
     all.faces += c.faces;
   }
   if (all.faces == 0) return;
-  const std::string others = all.faces > 1 ? fmt::format(" (and {} more faces' do)", all.faces - 1) : "";
+  const std::string others = all.faces > 1 ? fmt::format(" (and {} more)", all.faces - 1) : "";
   mesh.report.warnings.push_back(fmt::format("{}:{}{}: the face's outline crosses itself{}", polygons.name,
                                              polygons.place, all.first_place, others));
 }

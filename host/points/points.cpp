@@ -14,9 +14,20 @@
 namespace nook {
 namespace {
 
-// The numbers of a line; stops at the first word that is none and leaves it in `wrong`.
-std::vector<double> numbers_of(const std::string& line, std::string& wrong) {
+// A line of a file of points.
+struct Row {
   std::vector<double> numbers;
+  std::string wrong;        // the first word that is no finite number
+  bool any_number = false;  // some word is, or begins with, a number
+};
+
+bool begins_as_number(const std::string& word) {
+  const std::size_t digit = word.find_first_not_of("+-.");
+  return digit < 3 && word[digit] >= '0' && word[digit] <= '9';
+}
+
+Row read_row(const std::string& line) {
+  Row row;
   std::size_t at = 0;
   while (at < line.size()) {
     const std::size_t begin = line.find_first_not_of(", \t\r", at);
@@ -26,13 +37,14 @@ std::vector<double> numbers_of(const std::string& line, std::string& wrong) {
     const char* first = word.data() + (word[0] == '+');
     double value = 0;
     const auto [end, code] = std::from_chars(first, word.data() + word.size(), value);
-    if (code != std::errc() || end != word.data() + word.size() || !std::isfinite(float(value))) {
-      wrong = word.substr(0, 40);
-      break;
-    }
-    numbers.push_back(value);
+    const bool whole = code != std::errc::invalid_argument && end == word.data() + word.size();
+    row.any_number = row.any_number || whole || begins_as_number(word);
+    if (code == std::errc() && whole && std::isfinite(float(value)))
+      row.numbers.push_back(value);
+    else if (row.wrong.empty())
+      row.wrong = word.substr(0, 40);
   }
-  return numbers;
+  return row;
 }
 
 // Scaled by the largest component first, so that neither 1e-30 nor 1e30 is lost.
@@ -79,13 +91,13 @@ std::vector<SurfacePoint> read_points(std::istream& in, const std::string& name,
   std::string line;
   bool first = true;
   for (std::size_t row = 1; std::getline(in, line); ++row) {
+    if (row == 1 && line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);
     if (line.find_first_not_of(", \t\r") == std::string::npos || line[0] == '#') continue;
-    std::string wrong;
-    const std::vector<double> n = numbers_of(line, wrong);
-    const bool header = first && n.empty();
+    const auto [n, wrong, any_number] = read_row(line);
+    const bool header = first && !any_number;
     first = false;
     if (header) continue;
-    auto fail = [&](const std::string& what) {
+    auto fail = [&name, row](const std::string& what) {
       throw Error(ExitCode::scene, fmt::format("{}:{}: {}", name, row, what));
     };
     if (!wrong.empty()) fail(fmt::format("'{}' is not a finite number", wrong));

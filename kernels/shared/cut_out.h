@@ -19,7 +19,7 @@ typedef struct {
 typedef struct {
   nook_uint first;
   nook_uint width, height;  // texels, at least 1
-  nook_uint reserved;
+  nook_uint clamped;        // 1: opaque outside 0 to 1; 0: the map repeats
 } OpacityMapPlace;
 
 #ifdef __OPENCL_C_VERSION__
