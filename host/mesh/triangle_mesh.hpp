@@ -27,7 +27,7 @@ struct Material {
   std::string name;
   float phong_exponent = -1.0f;  ///< Ns; negative: the material has no lobe (no Ns, or Ks 0 0 0)
   std::string opacity_map;       ///< map_d, path as resolved; empty: opaque
-  MapLookup map;
+  MapLookup map = {};
 };
 
 /// An opacity map: a byte a texel, row 0 at the top (v = 1).
@@ -35,7 +35,7 @@ struct OpacityMap {
   std::string file;
   std::uint32_t width = 0, height = 0;
   std::vector<std::uint8_t> opacity;
-  MapLookup lookup;  ///< the channel, base and gain by which it was made, and clamp
+  MapLookup lookup = {};  ///< the channel, base and gain by which it was made, and clamp
 };
 
 /// What to keep of a mesh file; what no effect reads is not kept.

@@ -9,8 +9,14 @@
 
 #include "app/commands/delivery.hpp"
 #include "base/error.hpp"
+<<<<<<< HEAD
 #include "film/film_part_file.hpp"
 #include "image/exr.hpp"
+=======
+#include "film/checkpoint.hpp"
+#include "film/exr.hpp"
+#include "mesh/load_mesh.hpp"
+>>>>>>> b3ff9eb (Document the mesh formats, fuzz the new readers, and compare what five programs write)
 #include "mesh/mesh_analysis.hpp"
 #include "mesh/obj_loader.hpp"
 #include "mesh/ply.hpp"
@@ -23,7 +29,8 @@
 namespace nook::fuzz {
 namespace {
 
-constexpr MeshAttributes everything = {.normals = true, .uvs = true, .materials = true, .groups = true};
+constexpr MeshAttributes everything = {
+    .normals = true, .uvs = true, .materials = true, .groups = true, .exponents = true};
 
 // What the device would read without asking.
 void use(const TriangleMesh& mesh) {
@@ -35,6 +42,13 @@ void use(const TriangleMesh& mesh) {
     for (const std::uint32_t index : triangle)
       if (index != TriangleMesh::no_normal && index >= mesh.normals.size())
         throw std::logic_error("a normal index out of range got through");
+  for (const auto& triangle : mesh.triangle_uvs)
+    for (const std::uint32_t index : triangle)
+      if (index != TriangleMesh::no_uv && index >= mesh.uvs.size())
+        throw std::logic_error("a uv index out of range got through");
+  for (const std::string& warning : mesh.report.warnings)
+    if (warning.empty() || warning.find('\n') != std::string::npos || warning.size() > 2000)
+      throw std::logic_error("not one line of warning: " + warning.substr(0, 200));
 }
 
 // The mesh, or what is wrong with it.
@@ -61,7 +75,8 @@ bool same(const Outcome& a, const Outcome& b) {
          a.mesh.triangle_uvs == b.mesh.triangle_uvs && bytes(a.mesh.uvs) == bytes(b.mesh.uvs) &&
          a.mesh.bounds.lo == b.mesh.bounds.lo && a.mesh.bounds.hi == b.mesh.bounds.hi &&
          x.triangles_read == y.triangles_read && x.non_finite_dropped == y.non_finite_dropped &&
-         x.normals_replaced == y.normals_replaced && x.normals_normalised == y.normals_normalised;
+         x.normals_replaced == y.normals_replaced && x.normals_normalised == y.normals_normalised &&
+         x.warnings == y.warnings && a.mesh.group_names == b.mesh.group_names;
 }
 
 // Where a part has its checksums, see docs/checkpoints.md.
@@ -102,6 +117,14 @@ void read_obj_mesh(const std::string& path) {
 
 void read_ply_mesh(const std::string& path) {
   use(load_ply(path, everything));
+}
+
+void read_stl_mesh(const std::string& path) {
+  use(load_mesh(path, everything));
+}
+
+void read_compressed_mesh(const std::string& path) {
+  use(load_mesh(path, everything));
 }
 
 void read_materials(const std::string& path) {

@@ -9,6 +9,9 @@ namespace nook::fuzz {
 void read_scene(const std::string& path);
 void read_obj_mesh(const std::string& path);
 void read_ply_mesh(const std::string& path);
+void read_stl_mesh(const std::string& path);
+/// An OBJ file compressed by gzip.
+void read_compressed_mesh(const std::string& path);
 /// The file as the mtllib of a mesh beside it.
 void read_materials(const std::string& path);
 void read_points(const std::string& path);

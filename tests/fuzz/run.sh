@@ -5,7 +5,7 @@
 set -u
 build=$(realpath "$1") seconds=$2 work=$3
 shift 3
-targets=${*:-scene mesh ply materials points part image study delivery command}
+targets=${*:-scene mesh ply stl compressed materials points part image study delivery command}
 mkdir -p "$work/found"
 work=$(realpath "$work")
 corpus=$(realpath "$(dirname "$0")")/corpus

@@ -1,5 +1,7 @@
 #include "targets.hpp"
 
+#include <zlib.h>
+
 #include <filesystem>
 #include <stdexcept>
 
@@ -54,6 +56,22 @@ std::string seed_ply() {
   return bytes_written("a.ply", [&](const auto& path) { write_ply(path, mesh, normals, properties); });
 }
 
+std::string seed_stl() {
+  std::string bytes(80, ' ');
+  const std::uint32_t count = 1;
+  const float corners[12] = {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+  bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
+  return bytes.append(reinterpret_cast<const char*>(corners), sizeof corners) + std::string(2, '\0');
+}
+
+std::string seed_gzip(const std::string& text) {
+  return bytes_written("a.gz", [&](const std::filesystem::path& path) {
+    gzFile file = gzopen(path.c_str(), "wb");
+    gzwrite(file, text.data(), unsigned(text.size()));
+    gzclose(file);
+  });
+}
+
 std::vector<Target> make_targets() {
   return {
       {"scene",
@@ -74,7 +92,10 @@ std::vector<Target> make_targets() {
         "1e3\nvt 0 "
         "0\nvt 1 1\nvn 0 0 1\nf 1/1/1 2/2/1 3//1\nf -1 -2 -3 -4\nl 1 2\n",
         "v nan 0 0\nv inf 1 1\nv 1 2 3\nvn 0 0 0\nf 1 2 3\n",
-        "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3 \\\r\n"},
+        "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3 \\\r\n",
+        "v 0 0 0\nv 4 0 0\nv 4 1 0\nv 1 1 0\nv 1 2 0\nv 3 2 0\nv 3 3 0\nv 0 3 0\nv 1 2.2 0\nv 2 2.2 0\nv 2 "
+        "2.8 0\n"
+        "v 1 2.8 0\nf 1 2 3 4 5 6 7 8 12 11 10 9 12 8\nf 1 2 3 4 \\\n5 6 7 8\nf 1 3 2 8\n"},
        {"v ",    "vn ",  "vt ", "f ",         "l ",         "p ",         "usemtl ", "mtllib ",
         "//",    "/",    "-",   "1000000000", "2147483648", "4294967297", "nan",     "inf",
         "1e999", "\\\n", "g ",  "o ",         "t ",         "vw ",        "#"}},
@@ -84,10 +105,51 @@ std::vector<Target> make_targets() {
        {seed_ply(),
         "ply\nformat ascii 1.0\ncomment a\nelement vertex 3\nproperty float x\nproperty double y\nproperty "
         "float z\nproperty uchar red\nelement face 2\nproperty list uchar int vertex_indices\nproperty int "
-        "a\nend_header\n0 0 0 255\n1 0 0 1\n0 1 0 2\n3 0 1 2 7\n4 0 1 2 1 8\n"},
-       {"ply\n", "format ", "binary_little_endian 1.0\n", "element vertex ", "element face ", "property ",
-        "list ", "uchar ", "char ", "ushort ", "int ", "float32 ", "double ", "x\n", "nx\n",
-        "vertex_indices\n", "end_header\n", "4294967295", "-1"}},
+        "a\nend_header\n0 0 0 255\n1 0 0 1\n0 1 0 2\n3 0 1 2 7\n4 0 1 2 1 8\n",
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
+        "z\nproperty "
+        "float s\nproperty float t\nelement face 1\nproperty list uchar int vertex_index\nproperty list "
+        "uchar float "
+        "texcoord\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0 0 0\n1 0 0 1 "
+        "0\n"
+        "1 1 0 1 1\n0 1 0 +0 1\n4 0 1 2 3 8 0 0 1 0 1 1 0 1\n7 0 1 2 -1 0 1 3\n"},
+       {"ply\n",
+        "format ",
+        "binary_little_endian 1.0\n",
+        "binary_big_endian 1.0\n",
+        "tristrips ",
+        "texcoord\n",
+        "int64 ",
+        "uint64 ",
+        "element vertex ",
+        "element face ",
+        "property ",
+        "list ",
+        "uchar ",
+        "char ",
+        "ushort ",
+        "int ",
+        "float32 ",
+        "double ",
+        "x\n",
+        "nx\n",
+        "vertex_indices\n",
+        "end_header\n",
+        "4294967295",
+        "-1"}},
+      {"stl",
+       "input.stl",
+       read_stl_mesh,
+       {seed_stl(),
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1e0 0\nendloop\n"
+        "endfacet\nendsolid a\n"},
+       {"solid ", "facet ", "normal ", "outer loop\n", "vertex ", "endloop\n", "endfacet\n", "endsolid\n",
+        std::string("\1\0\0\0", 4), "\xff\xff\xff\xff", "nan"}},
+      {"compressed",
+       "input.obj.gz",
+       read_compressed_mesh,
+       {seed_gzip("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")},
+       {"\x1f\x8b\x08", std::string("\0\0\xff\xff", 4), "f 1 2 3\n"}},
       {"materials",
        "input.mtl",
        read_materials,

@@ -63,6 +63,19 @@ TEST(CutOut, MapsAreInterpolatedAndRepeat) {
   expect_value(estimate_at_origin(ceiling, ao_within({DistanceLimit::Kind::none, 0})), 0.5);
 }
 
+// map_d's options: an offset moves the map; clamped it is there once, and the surface is whole beside it.
+TEST(CutOut, MapsAreMovedAndClamped) {
+  TriangleMesh ceiling = plane_at(1);
+  map_onto(ceiling, half());
+  const Effect unlimited = ao_within({DistanceLimit::Kind::none, 0});
+  ceiling.materials[0].map.offset = vec2(1, 0);
+  expect_value(estimate_at_origin(ceiling, unlimited), 0.5);
+  ceiling.materials[0].map.clamp = ceiling.opacity_maps[0].lookup.clamp = true;
+  expect_value(estimate_at_origin(ceiling, unlimited), 0);
+  ceiling.materials[0].map.offset = vec2(0);
+  expect_value(estimate_at_origin(ceiling, unlimited), 0.5);
+}
+
 struct Traced {
   std::vector<std::uint64_t> ao, falloff;
   std::vector<std::uint32_t> triangle;

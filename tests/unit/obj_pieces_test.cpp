@@ -163,8 +163,7 @@ TriangleMesh by_tinyobjloader(const std::filesystem::path& path, const std::vect
     }
   }
   for (const tinyobj::material_t& m : materials)
-    mesh.materials.push_back(
-        {m.name, m.shininess, m.alpha_texname.empty() ? "" : folder + m.alpha_texname, {}});
+    mesh.materials.push_back({m.name, m.shininess, m.alpha_texname.empty() ? "" : folder + m.alpha_texname});
   end_with_longest_edges(mesh);
   return mesh;
 }

@@ -43,6 +43,21 @@ TEST(PngOpacity, OfEveryKind) {
   EXPECT_EQ(opacity(PNG_FORMAT_RGB, {0, 255, 0, 255, 0, 0}), (std::vector<std::uint8_t>{182, 54}));
 }
 
+TEST(PngOpacity, OfAChannel) {
+  const TemporaryFolder folder;
+  const auto two = [&](png_uint_32 format, const std::vector<std::uint8_t>& values, char channel) {
+    return read_png_opacity(write(folder, format, values), channel).values;
+  };
+  const std::vector<std::uint8_t> colors = {1, 2, 3, 4, 5, 6, 7, 8};
+  EXPECT_EQ(two(PNG_FORMAT_RGBA, colors, 'r'), (std::vector<std::uint8_t>{1, 5}));
+  EXPECT_EQ(two(PNG_FORMAT_RGBA, colors, 'g'), (std::vector<std::uint8_t>{2, 6}));
+  EXPECT_EQ(two(PNG_FORMAT_RGBA, colors, 'b'), (std::vector<std::uint8_t>{3, 7}));
+  EXPECT_EQ(two(PNG_FORMAT_RGBA, colors, 'm'), (std::vector<std::uint8_t>{4, 8}));
+  EXPECT_EQ(two(PNG_FORMAT_RGBA, colors, 'l'), (std::vector<std::uint8_t>{2, 6}));
+  EXPECT_EQ(two(PNG_FORMAT_GA, {1, 2, 3, 4}, 'l'), (std::vector<std::uint8_t>{1, 3}));
+  EXPECT_EQ(two(PNG_FORMAT_GRAY, {1, 2}, 'm'), (std::vector<std::uint8_t>{255, 255}));
+}
+
 TEST(PngOpacity, DamagedFilesAreOneLine) {
   const TemporaryFolder folder;
   const auto file = write(folder, PNG_FORMAT_GRAY, {10, 200});
