@@ -1,7 +1,6 @@
 #include "mesh/load_mesh.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 #include <string>
 #include <string_view>
@@ -11,6 +10,7 @@
 #include "mesh/obj_loader.hpp"
 #include "mesh/ply.hpp"
 #include "mesh/stl_loader.hpp"
+#include "mesh/words.hpp"
 
 namespace nook {
 namespace {
@@ -34,12 +34,6 @@ constexpr std::string_view unread[] = {
     ".ma",  ".max", ".mb",   ".md2", ".md5",  ".mesh", ".msh",   ".nif",  ".off",  ".pcd", ".pts", ".q3o",
     ".skp", ".smd", ".step", ".stp", ".tri",  ".usd",  ".usda",  ".usdc", ".usdz", ".vox", ".vtk", ".vtp",
     ".vtu", ".wrl", ".x",    ".x3d", ".x3db", ".x3dv", ".xyz",   ".zip",  ".bz2",  ".xz",  ".zst", ".7z"};
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  return text;
-}
 
 // That of what a compressed file holds: ".obj" of "a.OBJ.gz".
 std::string extension_of(const std::filesystem::path& path) {

@@ -10,17 +10,11 @@
 #include <optional>
 
 #include "mesh/mesh_text.hpp"
-#include "mesh/number_text.hpp"
 #include "mesh/obj_text.hpp"
+#include "mesh/words.hpp"
 
 namespace nook {
 namespace {
-
-std::string lower(std::string_view text) {
-  std::string out(text);
-  std::transform(out.begin(), out.end(), out.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return out;
-}
 
 // The finite number that `text` begins with, which is then left behind it.
 std::optional<float> take_number(std::string_view& text) {

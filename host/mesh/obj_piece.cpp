@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "mesh/number_text.hpp"
+#include "mesh/words.hpp"
 
 namespace nook {
 namespace {

@@ -1,7 +1,5 @@
 #include "mesh/obj_text.hpp"
 
-#include <algorithm>
-
 namespace nook {
 
 ObjKeyword obj_keyword(std::string_view statement, std::string_view& rest) {
@@ -25,21 +23,6 @@ ObjKeyword obj_keyword(std::string_view statement, std::string_view& rest) {
   if (word == "vn") return ObjKeyword::normal;
   if (word == "usemtl") return ObjKeyword::material;
   return word == "mtllib" ? ObjKeyword::library : ObjKeyword::other;
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-std::string_view next_word(std::string_view& text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  std::size_t length = 0;
-  while (length < text.size() && !is_blank(text[length])) ++length;
-  const std::string_view word = text.substr(0, length);
-  text.remove_prefix(length);
-  return !word.empty() && word[0] == '#' ? std::string_view() : word;
 }
 
 bool goes_on(std::string_view line) {

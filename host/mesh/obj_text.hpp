@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "mesh/words.hpp"
+
 namespace nook {
 
 /// How many lines there are, in all and of each kind: `v`, `vt`, `vn`, `f`.
@@ -13,22 +15,11 @@ struct ObjCounts {
   std::size_t lines = 0, positions = 0, uvs = 0, normals = 0, faces = 0;
 };
 
-inline bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
-}
-
 /// What a line is, by its first word.
 enum class ObjKeyword { position, uv, normal, face, group, object, material, library, other };
 
 /// `statement` begins with its keyword; `rest` is what follows that.
 ObjKeyword obj_keyword(std::string_view statement, std::string_view& rest);
-
-/// Without blanks at both ends.
-std::string_view trimmed(std::string_view text);
-
-/// The next word of `text`, which is left behind it; empty: none is left, or a comment (a word that begins
-/// with '#').
-std::string_view next_word(std::string_view& text);
 
 /// Whether the statement goes on in the next line: it ends in a backslash that is in no comment.
 bool goes_on(std::string_view line);

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "mesh/number_text.hpp"
+#include "mesh/words.hpp"
 
 namespace nook {
 

@@ -6,7 +6,7 @@
 #include <charconv>
 
 #include "base/error.hpp"
-#include "mesh/obj_text.hpp"
+#include "mesh/words.hpp"
 
 namespace nook {
 namespace {

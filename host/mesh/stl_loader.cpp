@@ -8,10 +8,10 @@
 
 #include "base/error.hpp"
 #include "mesh/mesh_text.hpp"
-#include "mesh/number_text.hpp"
 #include "mesh/obj_text.hpp"
 #include "mesh/triangulate.hpp"
 #include "mesh/vertex_welder.hpp"
+#include "mesh/words.hpp"
 
 namespace nook {
 namespace {
@@ -59,12 +59,6 @@ void read_binary(std::string_view bytes, PolygonMesh& mesh) {
           little_endian<float>(corner), little_endian<float>(corner + 4), little_endian<float>(corner + 8))));
     }
   if (count > 0) block.runs.push_back({});
-}
-
-std::string lower(std::string_view word) {
-  std::string out(word);
-  std::transform(out.begin(), out.end(), out.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return out;
 }
 
 class AsciiReader {

@@ -37,8 +37,7 @@ const Key<Scene> of_input[] = {
     {{.name = "objfile",
       .domain = {.form = Form::files, .noun = "the name of a mesh, or a list of names"},
       .help = "mesh, or a list of meshes +, relative to the scene's folder: Wavefront OBJ, PLY + or STL +, "
-              "each also "
-              "compressed (`.gz` +), by the ending of its name; see [mesh files](#mesh-files)",
+              "each also compressed (`.gz` +), by the ending of its name; see [mesh files](#mesh-files)",
       .default_says = "required without [[instance]]",
       .of_nook = false,
       .of_samples = false},

@@ -7,6 +7,20 @@
 
 namespace nook {
 
+inline bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+
+/// Without blanks at both ends.
+std::string_view trimmed(std::string_view text);
+
+/// The next word of `text`, which is left behind it; empty: none is left, or a comment (a word that begins
+/// with '#').
+std::string_view next_word(std::string_view& text);
+
+/// ASCII letters in lower case.
+std::string lower(std::string_view text);
+
 /// Reads a whole word as a number: "1", "+1.", "-.5e+10", "nan", "-inf". One that is too large is infinite,
 /// one that is too small 0. False: the word is none.
 inline bool read_number(const char* begin, const char* end, double& value) {
