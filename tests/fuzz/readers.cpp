@@ -9,14 +9,9 @@
 
 #include "app/commands/delivery.hpp"
 #include "base/error.hpp"
-<<<<<<< HEAD
 #include "film/film_part_file.hpp"
 #include "image/exr.hpp"
-=======
-#include "film/checkpoint.hpp"
-#include "film/exr.hpp"
 #include "mesh/load_mesh.hpp"
->>>>>>> b3ff9eb (Document the mesh formats, fuzz the new readers, and compare what five programs write)
 #include "mesh/mesh_analysis.hpp"
 #include "mesh/obj_loader.hpp"
 #include "mesh/ply.hpp"

@@ -1,4 +1,4 @@
-"""write_meshes.py FOLDER: an E of twelve corners, drawn out to a solid on a floor, as each library writes it.
+"""write_meshes.py FOLDER reference|MODULE: an E of twelve corners, drawn out to a solid on a floor, as the library MODULE writes it.
 
 Files are PROGRAM-KIND.EXTENSION; reference.obj is written here, its E as faces of twelve corners.
 """
@@ -83,12 +83,9 @@ def with_blender(bpy):
         bpy.ops.wm.stl_export(filepath=path(f"blender-{kind}.stl"), ascii_format=text, **axes)
 
 
-reference()
-for module, write in (("trimesh", with_trimesh), ("meshio", with_meshio), ("pymeshlab", with_pymeshlab),
-                      ("open3d", with_open3d), ("bpy", with_blender)):
-    try:
-        library = importlib.import_module(module)
-    except ImportError as error:
-        print("left out:", module, "-", error)
-        continue
-    write(library)
+writers = {"trimesh": with_trimesh, "meshio": with_meshio, "pymeshlab": with_pymeshlab, "open3d": with_open3d,
+           "bpy": with_blender}
+if sys.argv[2] == "reference":
+    reference()
+else:
+    writers[sys.argv[2]](importlib.import_module(sys.argv[2]))
