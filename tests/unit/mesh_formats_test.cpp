@@ -6,11 +6,11 @@
 #include <cstring>
 #include <regex>
 
-#include "expect_error.hpp"
+#include "support/expect_error.hpp"
 #include "mesh/load_mesh.hpp"
 #include "mesh/mesh_analysis.hpp"
 #include "mesh/mtl_file.hpp"
-#include "temporary_folder.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace nook {
 namespace {

@@ -42,8 +42,8 @@ bad=0
 count=0
 for mesh in meshes/*-*.obj meshes/*-*.ply meshes/*-*.stl; do
   count=$((count + 1))
-  # the triangles and their order may differ, and with them the last bits of where rays hit: a pixel's 64 rays, a few of them
-  if picture "$mesh" other.exr && "$nook" compare reference.exr other.exr --fail 0.04 --fail-percent 0.2 --hard-fail 0.1 -q; then
+  # triangles may differ, and with them the last bits of where rays hit: at edges, in few pixels, some of 64 rays see another side
+  if picture "$mesh" other.exr && "$nook" compare reference.exr other.exr --fail 0.04 --fail-percent 1 --hard-fail 0.2 --warn 1 -q; then
     echo "same AO: $mesh"
   else
     echo "OTHER AO: $mesh"

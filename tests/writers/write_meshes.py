@@ -52,7 +52,7 @@ def with_pymeshlab(pymeshlab):
     import numpy
     meshes = pymeshlab.MeshSet()
     meshes.add_mesh(pymeshlab.Mesh(numpy.array(vertices), numpy.array(triangles)))
-    meshes.save_current_mesh(path("meshlab-text.obj"))
+    meshes.save_current_mesh(path("meshlab-text.obj"), save_vertex_normal=False)  # they would smooth the edges
     for kind, binary in (("binary", True), ("text", False)):
         meshes.save_current_mesh(path(f"meshlab-{kind}.ply"), binary=binary)
         meshes.save_current_mesh(path(f"meshlab-{kind}.stl"), binary=binary)
