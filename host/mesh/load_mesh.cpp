@@ -58,6 +58,7 @@ bool is_mesh(const std::filesystem::path& path) {
 }
 
 bool is_unread_mesh(const std::filesystem::path& path) {
+  if (is_mesh(path)) return false;
   return is_compressed(path) ||
          std::find(std::begin(unread), std::end(unread), extension_of(path)) != std::end(unread);
 }

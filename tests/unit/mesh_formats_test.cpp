@@ -6,10 +6,10 @@
 #include <cstring>
 #include <regex>
 
-#include "support/expect_error.hpp"
 #include "mesh/load_mesh.hpp"
 #include "mesh/mesh_analysis.hpp"
 #include "mesh/mtl_file.hpp"
+#include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace nook {
@@ -254,6 +254,12 @@ TEST(MeshFormats, OthersAreNamed) {
   for (const char* name : {"cube.fbx", "cube.GLB", "cube", "cube.obj.zip", "cube.gz", "cube.fbx.gz"})
     expect_error(ExitCode::scene, std::string(name) + ": not a format that nook reads (OBJ, PLY, STL)",
                  [&] { load(name, square); });
+  for (const char* name : {"a.fbx", "a.Gltf", "a.toml.gz", "a.fbx.gz"})
+    EXPECT_TRUE(is_unread_mesh(name) && !is_mesh(name)) << name;
+  for (const char* name : {"a.OBJ", "a.ply.GZ", "a.stl", "a.obj.gz"})
+    EXPECT_TRUE(is_mesh(name) && !is_unread_mesh(name)) << name;
+  for (const char* name : {"scene.toml", "scene", "picture.exr"})
+    EXPECT_FALSE(is_mesh(name) || is_unread_mesh(name)) << name;
   expect_error(ExitCode::scene, "none.fbx: no such file", [] { load_mesh("none.fbx"); });
 }
 
