@@ -7,8 +7,9 @@
 namespace nook {
 
 /// A file that appears under its name only when it is complete: written under a temporary name in the same
-/// folder, then renamed. Destroyed without commit(), it leaves nothing behind and an older file of that name
-/// as it was.
+/// folder (.NAME.part), then renamed. Destroyed without commit(), it leaves nothing behind and an older file
+/// of that name as it was. What a killed process left of its temporary file is used by the next for that
+/// name.
 ///
 ///     PendingFile file(path);
 ///     file.write(text.data(), text.size());
@@ -32,6 +33,9 @@ class PendingFile {
   void commit();
 
  private:
+  void discard();
+  /// Null, and errno, if none can be made.
+  std::FILE* open_temporary();
   [[noreturn]] void fail(int error);
 
   std::filesystem::path path_;       ///< as the user named it; for messages

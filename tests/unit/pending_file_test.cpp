@@ -1,6 +1,10 @@
 #include "base/pending_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
 
 #include "support/expect_error.hpp"
 #include "support/file_size_limit.hpp"
@@ -81,6 +85,46 @@ TEST(PendingFile, TakesTheLongestNames) {
   const std::string name(255, 'n');
   write(folder / name, "x");
   EXPECT_EQ(read_bytes(folder / name), "x");
+}
+
+TEST(PendingFile, UsesWhatAKilledProcessLeft) {
+  test::TemporaryFolder folder;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    PendingFile file(folder / "a");
+    file.write("half", 4);
+    file.sync();
+    ::kill(::getpid(), SIGKILL);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  ASSERT_TRUE(fs::exists(folder / ".a.part"));
+  write(folder / "a", "it");
+  EXPECT_EQ(read_bytes(folder / "a"), "it");
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(PendingFile, LeavesAloneWhatALivingOneWrites) {
+  test::TemporaryFolder folder;
+  PendingFile first(folder / "a");
+  first.write("first", 5);
+  write(folder / "a", "second");
+  EXPECT_EQ(read_bytes(folder / "a"), "second");
+  first.commit();
+  EXPECT_EQ(read_bytes(folder / "a"), "first");
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(PendingFile, FollowsNoLinkOfItsTemporaryName) {
+  test::TemporaryFolder folder;
+  write_bytes(folder / "other", "kept");
+  fs::create_symlink("other", folder / ".a.part");
+  write(folder / "a", "x");
+  fs::create_hard_link(folder / "other", folder / ".b.part");
+  write(folder / "b", "y");
+  EXPECT_EQ(read_bytes(folder / "other"), "kept");
+  EXPECT_EQ(read_bytes(folder / "a") + read_bytes(folder / "b"), "xy");
 }
 
 }  // namespace
