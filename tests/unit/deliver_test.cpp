@@ -62,6 +62,56 @@ TEST(Deliver, PacksTheSet) {
   EXPECT_NE(read_bytes(out / "config.json").find("\"firstlast\": \"Grace Hopper\""), std::string::npos);
 }
 
+// The names in the archive's directory, at its end.
+std::vector<std::string> names_in(const std::filesystem::path& zip) {
+  const std::string bytes = read_bytes(zip), mark = "PK\1\2";
+  std::vector<std::string> names;
+  for (std::size_t at = bytes.find(mark); at != std::string::npos; at = bytes.find(mark, at + 4)) {
+    const auto length = std::size_t(static_cast<unsigned char>(bytes[at + 28])) |
+                        std::size_t(static_cast<unsigned char>(bytes[at + 29])) << 8;
+    names.push_back(bytes.substr(at + 46, length));
+  }
+  return names;
+}
+
+TEST(Deliver, PacksLinksWithinUnderTheirNames) {
+  const TemporaryFolder folder;
+  const std::filesystem::path src = folder / "src";
+  std::filesystem::create_directories(src / "shared");
+  write_bytes(src / "shared" / "a.h", "// a\n");
+  std::filesystem::create_symlink("shared/a.h", src / "b.h");
+  std::filesystem::create_directory_symlink("shared", src / "twin");
+  const ProgramResult run = deliver(folder, config(entry("offline/small_ao.exr")));
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const std::vector<std::string> expected = {"config.json", "src/b.h", "src/shared/a.h", "src/twin/a.h",
+                                             "offline/small_ao.exr"};
+  EXPECT_EQ(names_in(folder / "delivery/123_a3.zip"), expected);
+}
+
+TEST(Deliver, RefusesLinksThatLeadElsewhere) {
+  for (const std::string kind : {"file", "folder", "up", "nowhere", "itself", "src"}) {
+    const TemporaryFolder folder;
+    const std::filesystem::path src = folder / "src", other = folder / "elsewhere";
+    std::filesystem::create_directories(other);
+    write_bytes(other / "private.txt", "not for others\n");
+    std::filesystem::path link = src / "link";
+    if (kind != "src") std::filesystem::create_directories(src / "sub");
+    if (kind == "file") std::filesystem::create_symlink("../elsewhere/private.txt", link);
+    if (kind == "folder") std::filesystem::create_directory_symlink(other, link);
+    if (kind == "up") std::filesystem::create_directory_symlink("..", link);
+    if (kind == "nowhere") std::filesystem::create_symlink("missing", link);
+    if (kind == "itself") std::filesystem::create_directory_symlink(".", link);
+    if (kind == "src") {
+      link = src;
+      std::filesystem::create_directory_symlink(std::filesystem::temp_directory_path(), link);
+    }
+    const ProgramResult run = deliver(folder, config(entry("offline/small_ao.exr")));
+    EXPECT_EQ(run.exit_code, 3) << kind << ": " << run.err;
+    EXPECT_NE(run.err.find(link.string() + ": "), std::string::npos) << kind << ": " << run.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "delivery")) << kind;
+  }
+}
+
 TEST(Deliver, RefusesABadConfiguration) {
   const TemporaryFolder folder;
   const auto refuse = [&](const std::string& json, const std::string& message) {

@@ -5,13 +5,12 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <fstream>
-#include <iterator>
 
 #include "app/commands.hpp"
 #include "app/commands/delivery.hpp"
 #include "base/error.hpp"
 #include "base/pending_file.hpp"
+#include "base/to_stderr.hpp"
 #include "image/exr.hpp"
 
 extern char** environ;
@@ -25,13 +24,6 @@ struct DeliverOptions {
   fs::path config, output, scenes, source;
   std::string student;
 };
-
-std::string bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (!in && bytes.empty()) throw Error(ExitCode::scene, fmt::format("{}: cannot be read", file.string()));
-  return bytes;
-}
 
 // Runs this program with the arguments: each picture is made as `nook render` makes it, in a process of its
 // own.
@@ -60,19 +52,6 @@ void render_entry(const DeliveryEntry& entry, const fs::path& folder) {
   std::erase_if(image.channels,
                 [](const Channel& c) { return c.name != "R" && c.name != "G" && c.name != "B"; });
   write_exr(target, image, ExrPrecision::half);
-}
-
-// The `src` folder's files, in order; an empty folder where there is none.
-void add_source(const fs::path& source, std::vector<ArchiveEntry>& archive) {
-  std::vector<fs::path> files;
-  std::error_code code;
-  if (fs::is_directory(source, code))
-    for (const auto& file : fs::recursive_directory_iterator(source))
-      if (file.is_regular_file()) files.push_back(file.path());
-  std::sort(files.begin(), files.end());
-  for (const fs::path& file : files)
-    archive.push_back({"src/" + fs::relative(file, source).generic_string(), bytes_of(file)});
-  if (files.empty()) archive.push_back({"src/", ""});
 }
 
 std::string base64(const std::string& bytes) {
@@ -117,7 +96,7 @@ std::string contact_sheet(const Delivery& delivery, const fs::path& folder) {
     html += fmt::format(
         "<figure><img alt=\"{0}\" "
         "src=\"data:image/png;base64,{1}\"><figcaption>{0}<br><code>{2}</code></figcaption></figure>\n",
-        escaped(entry.title), base64(bytes_of(preview)), escaped(entry.render));
+        escaped(entry.title), base64(packed_bytes(preview)), escaped(entry.render));
   }
   return html + "</main></html>\n";
 }
@@ -154,7 +133,14 @@ int deliver(const DeliverOptions& options) {
   if (!fs::is_directory(source, code)) {
     if (!options.source.empty())
       throw Error(ExitCode::usage, fmt::format("--src: {} is not a folder", source.string()));
-    fmt::print(stderr, "warning: there is no folder {}: the archive's src is empty\n", source.string());
+    to_stderr("warning: there is no folder {}: the archive's src is empty\n", source.string());
+  }
+  std::vector<ArchiveEntry> archive = {{"config.json", delivery.config}};
+  if (fs::is_directory(source, code)) {
+    if (options.source.empty()) require_within(source, home);
+    add_folder(source, "src/", archive);
+  } else {
+    archive.push_back({"src/", ""});
   }
   const fs::path folder = options.output.empty() ? home / "delivery" : options.output;
   for (const char* part : {"offline", "realtime"}) {
@@ -166,10 +152,8 @@ int deliver(const DeliverOptions& options) {
 
   for (const DeliveryEntry& entry : delivery.entries) render_entry(entry, folder);
 
-  std::vector<ArchiveEntry> archive = {{"config.json", delivery.config}};
-  add_source(source, archive);
   for (const DeliveryEntry& entry : delivery.entries)
-    archive.push_back({entry.render, bytes_of(folder / entry.render)});
+    archive.push_back({entry.render, packed_bytes(folder / entry.render)});
   const fs::path zip = folder / fmt::format("{}_a{}.zip", delivery.id, delivery.assignment);
   write_text(folder / "config.json", delivery.config);
   write_text(folder / "contact_sheet.html", contact_sheet(delivery, folder));

@@ -36,6 +36,20 @@ struct ArchiveEntry {
   std::string bytes;
 };
 
+/// What an archive packs of a file. Throws Error(scene) naming it.
+std::string packed_bytes(const std::filesystem::path& file);
+
+/// Throws Error(scene), which names `path` and where it leads, unless it is in `folder` once all symbolic
+/// links are followed.
+void require_within(const std::filesystem::path& path, const std::filesystem::path& folder);
+
+/// Appends the files of `folder`, in the order of their names, as entries PREFIX + name; PREFIX itself if
+/// there are none. A symbolic link to what is in the folder is packed under its own name, as what it leads
+/// to; one that leads out of it, nowhere, or to a folder that it is in is refused, as require_within() does.
+/// What is neither file nor folder is left out, with a warning on stderr.
+void add_folder(const std::filesystem::path& folder, const std::string& prefix,
+                std::vector<ArchiveEntry>& archive);
+
 /// Writes a ZIP archive (temporary name and rename). Equal entries give equal bytes: every entry has the time
 /// 1980-01-01. Throws Error(output).
 void write_zip(const std::filesystem::path& path, const std::vector<ArchiveEntry>& entries);
