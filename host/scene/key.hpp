@@ -17,6 +17,7 @@ class EffectKinds {
     for (const EffectKind kind : kinds) bits_ |= 1u << unsigned(kind);
   }
   constexpr bool contains(EffectKind kind) const { return bits_ >> unsigned(kind) & 1; }
+  constexpr bool intersects(EffectKinds other) const { return (bits_ & other.bits_) != 0; }
   constexpr bool operator==(const EffectKinds&) const = default;
 
  private:

@@ -1,6 +1,8 @@
 #include "scene/layer_names.hpp"
 
 #include <algorithm>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "scene/names.hpp"
 
@@ -14,12 +16,10 @@ std::size_t main_effect(const Scene& scene) {
 
 std::vector<std::string> layer_prefixes(const Scene& scene) {
   const std::size_t main = main_effect(scene);
+  std::unordered_set<std::string> taken;
+  for (const Effect& effect : scene.effects) taken.insert(effect.name);
+  std::unordered_map<EffectKind, int> last_number;
   std::vector<std::string> prefixes;
-  const auto taken = [&](const std::string& name) {
-    return std::any_of(scene.effects.begin(), scene.effects.end(),
-                       [&](const Effect& e) { return e.name == name; }) ||
-           std::find(prefixes.begin(), prefixes.end(), name + ".") != prefixes.end();
-  };
   for (std::size_t e = 0; e < scene.effects.size(); ++e) {
     const Effect& effect = scene.effects[e];
     std::string name = effect.name;
@@ -27,10 +27,11 @@ std::vector<std::string> layer_prefixes(const Scene& scene) {
       prefixes.emplace_back();
       continue;
     }
-    if (name.empty()) {
-      const std::string type(name_of(effect.kind));
-      name = type;
-      for (int number = 2; taken(name); ++number) name = type + std::to_string(number);
+    const std::string type(name_of(effect.kind));
+    for (int& number = last_number[effect.kind]; name.empty();) {
+      ++number;
+      const std::string numbered = number == 1 ? type : type + std::to_string(number);
+      if (taken.insert(numbered).second) name = numbered;
     }
     prefixes.push_back(name + ".");
   }

@@ -3,13 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <unordered_set>
 
 #include "base/error.hpp"
-#include "base/input_file.hpp"
 #include "scene/effect_toml.hpp"
 #include "scene/input_toml.hpp"
 #include "scene/scene_keys.hpp"
 #include "scene/toml_table.hpp"
+#include "scene/toml_text.hpp"
 
 namespace nook {
 namespace {
@@ -25,12 +27,12 @@ void read_effects(const std::string& file, const toml::node* list, TomlTable& re
     fail_at(file, list->source(), "effects are tables: [[effect]]");
   if (const toml::node* type = renderer.find("type"))
     fail_at(file, type->source(), "type belongs into the [[effect]] tables of this scene");
+  std::unordered_set<std::string> names;
   for (const toml::node& node : *tables) {
     TomlTable table(file, "[[effect]]", node.as_table());
     const Effect effect = read_listed_effect(table, scene.realtime);
-    for (const Effect& other : scene.effects)
-      if (!effect.name.empty() && effect.name == other.name)
-        fail_at(file, node.source(), fmt::format("two effects are named '{}'", effect.name));
+    if (!effect.name.empty() && !names.insert(effect.name).second)
+      fail_at(file, node.source(), fmt::format("two effects are named '{}'", effect.name));
     scene.effects.push_back(effect);
   }
 }
@@ -45,10 +47,9 @@ void read_renderer(TomlTable& renderer, Scene& scene) {
             fmt::format("min_spp is above max_spp, {}", stop.max_spp));
 }
 
-template <class Parse>
-toml::table parsed(const std::filesystem::path& path, Parse parse) {
+toml::table parsed(const std::string& text, const std::filesystem::path& path) {
   try {
-    return parse();
+    return toml::parse(text);
   } catch (const toml::parse_error& e) {
     if (e.source().begin.line == 0)
       throw Error(ExitCode::scene, fmt::format("{}: {}", path.string(), e.description()));
@@ -83,14 +84,12 @@ Scene scene_of(const toml::table& root, const std::filesystem::path& path) {
 }  // namespace
 
 Scene load_scene(const std::filesystem::path& path) {
-  constexpr std::uint64_t largest = 16u << 20;
-  if (size_of_input(path) > largest)
-    throw Error(ExitCode::scene, fmt::format("{}: too large for a scene file (over 16 MiB)", path.string()));
-  return scene_of(parsed(path, [&] { return toml::parse_file(path.string()); }), path);
+  return scene_of(parsed(read_toml_text(path), path), path);
 }
 
 Scene parse_scene(const std::string& text, const std::filesystem::path& file) {
-  return scene_of(parsed(file, [&] { return toml::parse(text); }), file);
+  check_toml_text(text, file);
+  return scene_of(parsed(text, file), file);
 }
 
 Scene scene_of_mesh(const std::filesystem::path& mesh_file) {

@@ -3,6 +3,9 @@
 namespace nook::test {
 
 std::vector<BadInput> scene_rows() {
+  std::string dotted_key;
+  for (int i = 0; i < 100; ++i) dotted_key += "a.";
+  dotted_key += "a = 1\n";
   return {
       {"no such scene", "render none.toml", 3, "none.toml: no such file"},
       {"scene is a folder", "render folder.toml", 3, "folder.toml: not a regular file", {}, {"folder.toml"}},
@@ -29,11 +32,16 @@ std::vector<BadInput> scene_rows() {
        {{"scene.toml", std::string("\x7f"
                                    "ELF\0\1\2",
                                    7)}}},
-      {"scene nests 10000 arrays",
+      {"scene nests 100 arrays",
        render,
        3,
-       "scene.toml:1:",
-       {{"scene.toml", "x = " + std::string(10000, '[')}}},
+       "scene.toml:1:37: nested deeper than 32 arrays, tables or parts of a key",
+       {{"scene.toml", "x = " + std::string(100, '[')}}},
+      {"scene nests 100 keys",
+       render,
+       3,
+       "scene.toml:1:64: nested deeper than 32",
+       {{"scene.toml", dotted_key}}},
       {"unknown key", render, 3, "scene.toml:13:1: unknown key 'ssp' in [renderer], did you mean 'spp'?",
        scene("spp = 4", "ssp = 4")},
       {"unknown table", render, 3, "unknown key 'filmm'", scene("[film]", "[filmm]")},
