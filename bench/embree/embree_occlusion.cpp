@@ -45,9 +45,7 @@ class Tracer {
                                        : interface_ == Interface::packet16 ? 16
                                                                            : stream_rays;
 
-  Tracer(RTCScene scene, bool coherent) : scene_(scene) {
-    rtcInitIntersectContext(&context_);
-    context_.flags = coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+  Tracer(RTCScene scene, bool coherent) : scene_(scene), query_(coherent) {
     std::memset(&soa_, 0, sizeof(soa_));
     for (unsigned i = 0; i < width; ++i) soa_.mask[i] = ~0u;
   }
@@ -69,50 +67,60 @@ class Tracer {
   }
 
   void occluded() {
-    if constexpr (interface_ == Interface::one) rtcOccluded1(scene_, &context_, &aos_[0].ray);
+    if constexpr (interface_ == Interface::one) query_.any(scene_, &aos_[0].ray);
+#if NOOK_EMBREE < 4
     if constexpr (interface_ == Interface::stream_aos)
-      rtcOccluded1M(scene_, &context_, &aos_[0].ray, size_, sizeof(aos_[0]));
+      rtcOccluded1M(scene_, query_.context(), &aos_[0].ray, size_, sizeof(aos_[0]));
     if constexpr (interface_ == Interface::stream_soa) {
       RTCRayNp rays = pointers();
-      rtcOccludedNp(scene_, &context_, &rays, size_);
+      rtcOccludedNp(scene_, query_.context(), &rays, size_);
     }
+#endif
     if constexpr (interface_ == Interface::packet4)
-      rtcOccluded4(valid(), scene_, &context_, reinterpret_cast<RTCRay4*>(&soa_));
+      query_.any(valid(), scene_, reinterpret_cast<RTCRay4*>(&soa_));
     if constexpr (interface_ == Interface::packet8)
-      rtcOccluded8(valid(), scene_, &context_, reinterpret_cast<RTCRay8*>(&soa_));
+      query_.any(valid(), scene_, reinterpret_cast<RTCRay8*>(&soa_));
     if constexpr (interface_ == Interface::packet16)
-      rtcOccluded16(valid(), scene_, &context_, reinterpret_cast<RTCRay16*>(&soa_));
+      query_.any(valid(), scene_, reinterpret_cast<RTCRay16*>(&soa_));
   }
 
   void closest() {
     for (unsigned i = 0; i < size_; ++i)
       (single ? aos_[i].hit.geomID : soa_.geomID[i]) = RTC_INVALID_GEOMETRY_ID;
-    if constexpr (interface_ == Interface::one) rtcIntersect1(scene_, &context_, &aos_[0]);
+    if constexpr (interface_ == Interface::one) query_.closest(scene_, &aos_[0]);
+#if NOOK_EMBREE < 4
     if constexpr (interface_ == Interface::stream_aos)
-      rtcIntersect1M(scene_, &context_, aos_, size_, sizeof(aos_[0]));
+      rtcIntersect1M(scene_, query_.context(), aos_, size_, sizeof(aos_[0]));
     if constexpr (interface_ == Interface::stream_soa) {
       RTCRayHitNp rays = {};
       rays.ray = pointers();
       rays.hit.Ng_x = soa_.ng_x, rays.hit.Ng_y = soa_.ng_y, rays.hit.Ng_z = soa_.ng_z;
       rays.hit.u = soa_.u, rays.hit.v = soa_.v, rays.hit.primID = soa_.primID, rays.hit.geomID = soa_.geomID;
       rays.hit.instID[0] = soa_.instID;
-      rtcIntersectNp(scene_, &context_, &rays, size_);
+      rtcIntersectNp(scene_, query_.context(), &rays, size_);
     }
+#endif
     if constexpr (interface_ == Interface::packet4)
-      rtcIntersect4(valid(), scene_, &context_, reinterpret_cast<RTCRayHit4*>(&soa_));
+      query_.closest(valid(), scene_, reinterpret_cast<RTCRayHit4*>(&soa_));
     if constexpr (interface_ == Interface::packet8)
-      rtcIntersect8(valid(), scene_, &context_, reinterpret_cast<RTCRayHit8*>(&soa_));
+      query_.closest(valid(), scene_, reinterpret_cast<RTCRayHit8*>(&soa_));
     if constexpr (interface_ == Interface::packet16)
-      rtcIntersect16(valid(), scene_, &context_, reinterpret_cast<RTCRayHit16*>(&soa_));
+      query_.closest(valid(), scene_, reinterpret_cast<RTCRayHit16*>(&soa_));
   }
 
-  unsigned size() const { return size_; }
-  bool was_occluded(unsigned i) const { return (single ? aos_[i].ray.tfar : soa_.tfar[i]) < 0; }
+  unsigned size() const {
+    return size_;
+  }
+  bool was_occluded(unsigned i) const {
+    return (single ? aos_[i].ray.tfar : soa_.tfar[i]) < 0;
+  }
   float distance(unsigned i) const {
     const bool miss = (single ? aos_[i].hit.geomID : soa_.geomID[i]) == RTC_INVALID_GEOMETRY_ID;
     return miss ? std::numeric_limits<float>::infinity() : single ? aos_[i].ray.tfar : soa_.tfar[i];
   }
-  void clear() { size_ = 0; }
+  void clear() {
+    size_ = 0;
+  }
 
  private:
   static constexpr bool single = interface_ == Interface::one || interface_ == Interface::stream_aos;
@@ -126,6 +134,7 @@ class Tracer {
     unsigned mask[width], id[width], flags[width];
     float ng_x[width], ng_y[width], ng_z[width], u[width], v[width];
     unsigned primID[width], geomID[width], instID[width];
+    unsigned instPrimID[width];  // of Embree 4's layout; it stands last
   };
 
   const int* valid() {
@@ -133,6 +142,7 @@ class Tracer {
     return valid_;
   }
 
+#if NOOK_EMBREE < 4
   RTCRayNp pointers() {
     RTCRayNp r = {};
     r.org_x = soa_.org_x, r.org_y = soa_.org_y, r.org_z = soa_.org_z, r.tnear = soa_.tnear;
@@ -140,9 +150,10 @@ class Tracer {
     r.tfar = soa_.tfar, r.mask = soa_.mask, r.id = soa_.id, r.flags = soa_.flags;
     return r;
   }
+#endif
 
   RTCScene scene_;
-  RTCIntersectContext context_;
+  embree::Query query_;
   unsigned size_ = 0;
   Soa soa_;
   alignas(64) RTCRayHit aos_[single ? capacity : 1] = {};
@@ -242,8 +253,10 @@ std::vector<EmbreeVariant> embree_variants() {
   add_variants<Interface::packet4>("4", variants);
   add_variants<Interface::packet8>("8", variants);
   add_variants<Interface::packet16>("16", variants);
+#if NOOK_EMBREE < 4  // which has no calls for streams
   add_variants<Interface::stream_aos>("1M", variants);
   add_variants<Interface::stream_soa>("Np", variants);
+#endif
   return variants;
 }
 

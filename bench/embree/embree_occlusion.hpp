@@ -24,7 +24,7 @@ struct EmbreeVariant {
       closest;
 };
 
-/// occluded1/4/8/16, 1M and Np streams, each for coherent and incoherent contexts.
+/// occluded1/4/8/16, and of Embree 3 1M and Np streams, each for coherent and incoherent contexts.
 std::vector<EmbreeVariant> embree_variants();
 
 }  // namespace nook::bench

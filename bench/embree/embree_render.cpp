@@ -3,7 +3,6 @@
 // the file:
 //   load, rtcCommitScene (MEDIUM), packets of 16 camera rays, packets of 16 occlusion rays, write.
 // Cosine-distributed directions and the Sobol sampler only. Compiled for the machine it is built on.
-#include <embree3/rtcore.h>
 
 #include <CLI/CLI.hpp>
 #include <atomic>
@@ -109,9 +108,6 @@ class Renderer {
   }
 
   void render(const std::vector<std::pair<std::uint32_t, std::uint32_t>>& samples) {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     alignas(64) int valid[packet] = {};
     RTCRayHit16 rays;
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -121,7 +117,7 @@ class Renderer {
       rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
       rays.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
     }
-    rtcIntersect16(valid, scene_.get(), &context, &rays);
+    embree::Query(true).closest(valid, scene_.get(), &rays);
     Occlusion occlusion(*this);
     for (std::size_t i = 0; i < samples.size(); ++i) {
       if (rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
@@ -171,10 +167,7 @@ class Renderer {
   /// Occlusion rays gathered into packets; the open ones are counted in their pixels.
   class Occlusion {
    public:
-    explicit Occlusion(Renderer& renderer) : renderer_(renderer) {
-      rtcInitIntersectContext(&context_);
-      context_.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
-    }
+    explicit Occlusion(Renderer& renderer) : renderer_(renderer) {}
     void add(const Point& p, const vec3& direction) {
       set(rays_, size_, p.origin, direction, renderer_.plan_.effects[0].max_distance);
       valid_[size_] = -1;
@@ -183,7 +176,7 @@ class Renderer {
     }
     void flush() {
       if (size_ == 0) return;
-      rtcOccluded16(valid_, renderer_.scene_.get(), &context_, &rays_);
+      query_.any(valid_, renderer_.scene_.get(), &rays_);
       for (std::size_t i = 0; i < size_; ++i)
         if (rays_.tfar[i] >= 0) renderer_.sums_[pixel_[i]] += 1;
       std::fill_n(valid_, packet, 0);
@@ -192,7 +185,7 @@ class Renderer {
 
    private:
     Renderer& renderer_;
-    RTCIntersectContext context_;
+    embree::Query query_;
     RTCRay16 rays_;
     alignas(64) int valid_[packet] = {};
     std::uint32_t pixel_[packet];

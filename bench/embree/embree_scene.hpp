@@ -1,8 +1,7 @@
 #pragma once
 
-#include <embree3/rtcore.h>
-
 #include "mesh/triangle_mesh.hpp"
+#include "support/embree.hpp"
 
 namespace nook::bench {
 

@@ -1,7 +1,5 @@
 #include "bench/ssao/ssao_reference.hpp"
 
-#include <embree3/rtcore.h>
-
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -10,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "ssao/view.hpp"
+#include "support/embree.hpp"
 
 namespace nook::bench {
 namespace {
@@ -86,9 +85,7 @@ std::vector<PrimaryHit> ReferenceTracer::primary(const Camera& camera, int width
       ray.ray.tfar = std::numeric_limits<float>::infinity();
       ray.ray.mask = ~0u;
       ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-      RTCIntersectContext context;
-      rtcInitIntersectContext(&context);
-      rtcIntersect1(state_->scene, &context, &ray);
+      embree::Query().closest(state_->scene, &ray);
       if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
       PrimaryHit& hit = hits[i];
       hit.hit = true;
@@ -136,9 +133,7 @@ std::vector<ReferenceTracer::Estimate> ReferenceTracer::ambient(const std::vecto
           rays.tnear[k] = 0, rays.tfar[k] = radius, rays.time[k] = 0;
           rays.mask[k] = ~0u, rays.id[k] = 0, rays.flags[k] = 0;
         }
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        rtcOccluded16(valid, state_->scene, &context, &rays);
+        embree::Query().any(valid, state_->scene, &rays);
         for (int k = 0; k < 16; ++k) open += valid[k] && !(rays.tfar[k] < 0);
       }
       return float(open) / float(count);

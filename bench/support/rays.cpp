@@ -42,11 +42,10 @@ std::vector<vec3> camera_directions(const BenchScene& scene, unsigned resolution
   return result;
 }
 
-std::vector<RayPoint> visible_points(const BenchScene& scene, const EmbreeScene& embree,
+std::vector<RayPoint> visible_points(const BenchScene& scene, const EmbreeScene& embree_scene,
                                      const std::vector<vec3>& directions, bool mirrored) {
   std::vector<RayPoint> points;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
+  embree::Query query;
   for (const vec3& d : directions) {
     RTCRayHit hit = {};
     hit.ray.org_x = scene.eye.x, hit.ray.org_y = scene.eye.y, hit.ray.org_z = scene.eye.z;
@@ -54,7 +53,7 @@ std::vector<RayPoint> visible_points(const BenchScene& scene, const EmbreeScene&
     hit.ray.tfar = std::numeric_limits<float>::infinity();
     hit.ray.mask = ~0u;
     hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(embree.get(), &context, &hit);
+    query.closest(embree_scene.get(), &hit);
     if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
     const auto& t = scene.mesh.triangles[hit.hit.primID];
     const dvec3 a = scene.mesh.positions[t[0]], b = scene.mesh.positions[t[1]],

@@ -1,6 +1,5 @@
 #include "bench/support/record.hpp"
 
-#include <embree3/rtcore.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -13,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "device/device.hpp"
+#include "support/embree.hpp"
 
 namespace nook::bench {
 namespace {

@@ -1,13 +1,12 @@
 #include "support/oracle.hpp"
 
-#include <embree3/rtcore.h>
-
 #include <cmath>
 #include <memory>
 #include <numbers>
 #include <random>
 #include <stdexcept>
 
+#include "support/embree.hpp"
 #include "support/warp_oracle.hpp"
 
 namespace nook::test {
@@ -111,20 +110,16 @@ OracleTracer embree(const TriangleMesh& mesh, RTCSceneFlags flags) {
     return ray;
   };
   auto closest = [scene, ray_of](const dvec3& o, const dvec3& d) -> std::optional<OracleHit> {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
     RTCRayHit query{};
     query.ray = ray_of(o, d, std::numeric_limits<double>::infinity());
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(scene.get(), &context, &query);
+    embree::Query().closest(scene.get(), &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     return OracleHit{query.ray.tfar, query.hit.u, query.hit.v, query.hit.primID};
   };
   auto occluded = [scene, ray_of](const dvec3& o, const dvec3& d, double limit) {
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
     RTCRay ray = ray_of(o, d, limit);
-    rtcOccluded1(scene.get(), &context, &ray);
+    embree::Query().any(scene.get(), &ray);
     return ray.tfar < 0;
   };
   return {closest, occluded, 1e-5};

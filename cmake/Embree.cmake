@@ -1,0 +1,15 @@
+# nook_embree: Embree 4 where there is one, else 3 (Debian 13, Debian 12), for tests and benches;
+# tests/support/embree.hpp has its names.
+if(NOT TARGET nook_embree)
+  find_package(embree 4 QUIET)
+  if(NOT embree_FOUND)
+    find_package(embree 3 QUIET)
+  endif()
+  if(embree_FOUND)
+    add_library(nook_embree INTERFACE)
+    target_link_libraries(nook_embree INTERFACE embree)
+    target_include_directories(nook_embree INTERFACE ${CMAKE_SOURCE_DIR}/tests)
+    string(REGEX MATCH "^[0-9]+" major "${embree_VERSION}")
+    target_compile_definitions(nook_embree INTERFACE NOOK_EMBREE=${major})
+  endif()
+endif()
