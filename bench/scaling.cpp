@@ -283,7 +283,7 @@ void run_options(const Settings& s) {
 
 void run(const Settings& s) {
   Stopwatch::cpu_time = s.cpu_time;
-  limit_threads(s.threads);
+  limit_device_threads(s.threads);
   if (s.part != "options") run_sweeps(s);
   if (s.part != "sweeps") run_options(s);
 }

@@ -8,6 +8,7 @@
 
 #include "app/interrupt.hpp"
 #include "base/error.hpp"
+#include "base/to_stderr.hpp"
 
 namespace nook {
 
@@ -40,19 +41,17 @@ void TerminalObserver::progress(const RunProgress& run) {
                                                        100 * run.share_done)
                                          : "";
   if (mode_ == ProgressMode::json) {
-    fmt::print(stderr,
-               "{{\"progress\": {:.4f}, \"seconds\": {:.2f}, \"seconds_left\": {:.2f}, \"rays\": {}{}}}\n",
-               share, seconds, left, run.rays, note.empty() ? "" : fmt::format(", \"note\": \"{}\"", note));
+    to_stderr("{{\"progress\": {:.4f}, \"seconds\": {:.2f}, \"seconds_left\": {:.2f}, \"rays\": {}{}}}\n",
+              share, seconds, left, run.rays, note.empty() ? "" : fmt::format(", \"note\": \"{}\"", note));
   } else if (terminal_) {
     constexpr int cells = 30;
     const int filled = std::clamp(int(share * cells), 0, cells);
-    fmt::print(stderr, "\r[{}{}] {:3.0f} %  {:.1f} Mrays/s  {:.0f} s left {} ",
-               std::string(std::size_t(filled), '#'), std::string(std::size_t(cells - filled), '.'),
-               100 * share, rate, left, note);
+    to_stderr("\r[{}{}] {:3.0f} %  {:.1f} Mrays/s  {:.0f} s left {} ", std::string(std::size_t(filled), '#'),
+              std::string(std::size_t(cells - filled), '.'), 100 * share, rate, left, note);
     drawn_ = true;
   } else {
-    fmt::print(stderr, "{:.0f} %  {:.1f} Mrays/s  {:.0f} s left{}{}\n", 100 * share, rate, left,
-               note.empty() ? "" : "  ", note);
+    to_stderr("{:.0f} %  {:.1f} Mrays/s  {:.0f} s left{}{}\n", 100 * share, rate, left,
+              note.empty() ? "" : "  ", note);
   }
   std::fflush(stderr);
 }
@@ -62,11 +61,11 @@ bool TerminalObserver::cancelled() {
 }
 
 void TerminalObserver::warn(const std::string& what) {
-  fmt::print(stderr, "warning: {}\n", what);
+  to_stderr("warning: {}\n", what);
 }
 
 void TerminalObserver::end() {
-  if (drawn_) fmt::print(stderr, "\r{:<110}\r", "");
+  if (drawn_) to_stderr("\r{:<110}\r", "");
   drawn_ = false;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "base/error.hpp"
+#include "base/threads.hpp"
 #include "device/pocl_folder.hpp"
 
 namespace nook {
@@ -61,7 +62,41 @@ std::string lower(std::string text) {
   return text;
 }
 
+bool contains(const std::string& text, std::initializer_list<const char*> words) {
+  return std::any_of(words.begin(), words.end(),
+                     [&](const char* word) { return text.find(word) != std::string::npos; });
+}
+
+// Without a wish: processors before GPUs before what is left, which is slow (see is_slow()); among equals the
+// loader's order.
+int rank(const DeviceInfo& device) {
+  if (device.is_slow()) return 2;
+  return device.is_cpu() ? 0 : 1;
+}
+
 }  // namespace
+
+bool DeviceInfo::is_slow() const {
+  return contains(lower(platform_name + '\n' + name),
+                  {"oclgrind", "llvmpipe", "softpipe", "swiftshader", "swrast", "lavapipe"});
+}
+
+const DeviceInfo* choose_device(std::span<const DeviceInfo> devices, const std::string& selector) {
+  const std::string wanted = lower(selector);
+  const auto matches = [&](const DeviceInfo& d) {
+    if (wanted.empty()) return true;
+    if (wanted == "cpu") return d.is_cpu();
+    if (wanted == "gpu") return (d.type & CL_DEVICE_TYPE_GPU) != 0;
+    if (wanted == fmt::format("{}:{}", d.platform_index, d.device_index)) return true;
+    if (std::isdigit(static_cast<unsigned char>(wanted[0])) && wanted.find(':') != std::string::npos)
+      return false;
+    return contains(lower(d.name), {wanted.c_str()}) || contains(lower(d.platform_name), {wanted.c_str()});
+  };
+  const DeviceInfo* best = nullptr;
+  for (const DeviceInfo& device : devices)
+    if (matches(device) && (!best || rank(device) < rank(*best))) best = &device;
+  return best;
+}
 
 std::vector<DeviceInfo> list_devices() {
   std::vector<DeviceInfo> found;
@@ -86,35 +121,30 @@ std::vector<DeviceInfo> list_devices() {
 
 DeviceInfo select_device(const std::string& selector) {
   const std::vector<DeviceInfo> devices = list_devices();
+  // PoCL offers no device where it cannot write.
+  if (devices.empty() && problem_of_pocl_folder()) throw *problem_of_pocl_folder();
   if (devices.empty())
     throw Error(
         ExitCode::device,
         "no OpenCL device found; on Debian: apt-get install pocl-opencl-icd (`nook doctor` says more)");
-  const std::string wanted = lower(selector);
-  auto matches = [&](const DeviceInfo& d) {
-    if (wanted.empty() || wanted == "cpu") return d.is_cpu();
-    if (wanted == "gpu") return (d.type & CL_DEVICE_TYPE_GPU) != 0;
-    if (wanted == fmt::format("{}:{}", d.platform_index, d.device_index)) return true;
-    if (std::isdigit(static_cast<unsigned char>(wanted[0])) && wanted.find(':') != std::string::npos)
-      return false;
-    return lower(d.name).find(wanted) != std::string::npos ||
-           lower(d.platform_name).find(wanted) != std::string::npos;
-  };
-  const auto match = std::find_if(devices.begin(), devices.end(), matches);
-  if (match != devices.end()) return *match;
-  if (wanted.empty()) return devices.front();
+  if (const DeviceInfo* chosen = choose_device(devices, selector)) return *chosen;
+  if (problem_of_pocl_folder()) throw *problem_of_pocl_folder();
   throw Error(ExitCode::device,
               fmt::format("no OpenCL device matches '{}'; `nook devices` lists the {} there are", selector,
                           devices.size()));
 }
 
-void limit_threads(unsigned threads) {
-  if (threads) setenv("POCL_MAX_PTHREAD_COUNT", std::to_string(threads).c_str(), 1);
+void limit_device_threads(unsigned threads) {
+  const std::string number = std::to_string(threads_to_use(threads));
+  // PoCL to 4, PoCL from 5 on, Intel's runtime, Mesa's llvmpipe (rusticl), oclgrind.
+  for (const char* variable : {"POCL_MAX_PTHREAD_COUNT", "POCL_CPU_MAX_CU_COUNT",
+                               "CL_CONFIG_CPU_TBB_NUM_WORKERS", "LP_NUM_THREADS", "OCLGRIND_NUM_THREADS"})
+    setenv(variable, number.c_str(), threads != 0);
 }
 
 Device::Device(const DeviceInfo& info) : info_(info) {
-  if (info.platform_name == "Portable Computing Language" && !problem_of_pocl_folder().empty())
-    throw Error(ExitCode::output, problem_of_pocl_folder());
+  if (info.platform_name == "Portable Computing Language" && problem_of_pocl_folder())
+    throw *problem_of_pocl_folder();
   cl_int code = CL_SUCCESS;
   const cl_context_properties properties[] = {CL_CONTEXT_PLATFORM, cl_context_properties(info.platform), 0};
   context_ = ClContext(opencl().clCreateContext(properties, 1, &info_.id, nullptr, nullptr, &code));

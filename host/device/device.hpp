@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -30,20 +31,27 @@ struct DeviceInfo {
       0;                       ///< floats in a native vector; 16 with AVX-512, 8 with AVX2, 1 on most GPUs
   bool shares_memory = false;  ///< with the host: buffers are used in place
   bool is_cpu() const { return (type & CL_DEVICE_TYPE_CPU) != 0; }
+  /// An interpreter (oclgrind), or a GPU in software (rusticl on llvmpipe, SwiftShader): a hundred times
+  /// slower than a compiling driver on the same processor.
+  bool is_slow() const;
 };
 
 /// All devices of all platforms, in the loader's order; empty if there is no platform.
 /// Throws Error(device) if there is no OpenCL loader.
 std::vector<DeviceInfo> list_devices();
 
-/// The device that a selector names: "" (the first CPU, else the first device), "cpu", "gpu", "P:D" (indices
-/// as printed by `nook devices`), or a part of the platform's or device's name, case-insensitive. Throws
-/// Error(device) with one line if there is no device or none matches.
+/// The device that a selector names: "cpu", "gpu", "P:D" (indices as printed by `nook devices`), or a part of
+/// the platform's or device's name, case-insensitive; "": any. Of several the first that is not slow, a CPU
+/// before others. Null: none matches.
+const DeviceInfo* choose_device(std::span<const DeviceInfo> devices, const std::string& selector);
+
+/// The same of list_devices(). Throws Error(device) with one line if there is no device or none matches.
 DeviceInfo select_device(const std::string& selector);
 
-/// Compute units that CPU devices made later in this process may use (0: all). PoCL reads this once, so it
-/// must be called before the first list_devices() or select_device().
-void limit_threads(unsigned threads);
+/// Threads that CPU devices made later in this process may use; 0: threads_to_use(), unless the user has set
+/// the driver's own variable. Drivers read theirs once, so it must be called before the first list_devices()
+/// or select_device(), and while no other thread runs.
+void limit_device_threads(unsigned threads);
 
 /// One device, its context and its in-order queue.
 class Device {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "base/error.hpp"
+#include "device/device.hpp"
 #include "device/pocl_folder.hpp"
 
 namespace nook {
@@ -14,7 +15,8 @@ namespace {
 std::atomic<bool> loaded = false;
 
 OpenClFunctions load() {
-  give_pocl_its_own_folder();
+  limit_device_threads(0);  // unless that is settled already
+  prepare_for_pocl();
   const char* name = std::getenv("NOOK_OPENCL");
   if (!name || !*name) name = "libOpenCL.so.1";
   void* library = dlopen(name, RTLD_NOW | RTLD_LOCAL);

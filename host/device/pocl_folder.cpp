@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -10,7 +11,10 @@
 #include <cstring>
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "base/threads.hpp"
+#include "device/pocl_needs.hpp"
 #include "device/program_cache.hpp"
 
 namespace nook {
@@ -71,60 +75,131 @@ bool is_full(int error) {
   return error == ENOSPC || error == EDQUOT || error == EFBIG;
 }
 
-// PoCL ends the process where it cannot write its files, some hundred kilobytes each. The error that says so,
-// or 0.
-int error_of_room_in(const fs::path& folder) {
+// Longer names do not fit PoCL's buffers once it has put its own behind.
+constexpr std::size_t longest_name = 800;
+
+// PoCL ends the process where it cannot write its files (some hundred kilobytes each, in folders of their
+// own) or map what it has compiled. The error that says so, or 0.
+int error_of_use(const fs::path& folder) {
   constexpr int files = 4;
   constexpr off_t bytes = 1 << 20;
-  int error = 0;
-  for (int i = 0; i < files && !is_full(error); ++i) {
-    const int file = open((folder / std::to_string(i)).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  if (folder.string().size() > longest_name) return ENAMETOOLONG;
+  const fs::path inside = folder / "nook-trial";
+  int error = mkdir(inside.c_str(), 0777) == 0 ? 0 : errno;
+  for (int i = 0; i < files && !error; ++i) {
+    const int file = open((inside / std::to_string(i)).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
     error = file < 0 ? errno : posix_fallocate(file, 0, bytes);
+    if (error == EOPNOTSUPP) error = 0;
+    if (!error) {
+      void* code = mmap(nullptr, 4096, PROT_READ | PROT_EXEC, MAP_PRIVATE, file, 0);
+      if (code == MAP_FAILED)
+        error = errno == EPERM || errno == EACCES ? ENOEXEC : errno;
+      else
+        munmap(code, 4096);
+    }
     if (file >= 0) close(file);
   }
   std::error_code ignored;
-  for (int i = 0; i < files; ++i) fs::remove(folder / std::to_string(i), ignored);
-  return is_full(error) ? error : 0;
+  fs::remove_all(inside, ignored);
+  return error;
 }
 
-std::string problem;
+std::string reason_of(int error) {
+  return error == ENOEXEC ? "no program may be run from there (mounted noexec?)" : std::strerror(error);
+}
+
+std::optional<Error> problem;
 fs::path lock_of_this_process;
 pid_t process_of_lock;
 
-// In a folder of its own choice PoCL would meet the same disk, and trust what it finds there.
-void note_if_full(const fs::path& folder, int error) {
-  if (is_full(error))
-    problem = folder.string() + ": " + std::strerror(error) + ": PoCL has no room for its files there";
-}
-
-}  // namespace
-
-void give_pocl_its_own_folder() {
-  const char* chosen = std::getenv("POCL_CACHE_DIR");
-  const fs::path cache = program_cache_dir();
-  if ((chosen && *chosen) || cache.empty()) return;
-  const fs::path folder = cache / "pocl";
+// A run's own folder in `parent`, which is made if need be. Its errno, or 0.
+int make_folder_in(const fs::path& parent) {
   std::error_code failed;
-  fs::create_directories(folder, failed);
-  if (failed) return note_if_full(folder, failed.value());
-  remove_what_was_left(folder);
+  fs::create_directories(parent, failed);
+  if (failed) return failed.value();
+  remove_what_was_left(parent);
   fs::path lock;
-  if (make_lock(folder, lock) < 0) return note_if_full(folder, errno);
-  if (!fs::create_directory(folder_of(lock), failed)) {
+  const int lock_file = make_lock(parent, lock);
+  if (lock_file < 0) return errno;
+  const fs::path folder = folder_of(lock);
+  int error = mkdir(folder.c_str(), 0700) == 0 && chmod(folder.c_str(), 0700) == 0 ? 0 : errno;
+  if (!error) error = error_of_use(folder);
+  if (error) {
     remove_folder(lock);
-    return note_if_full(folder, failed.value());
+    close(lock_file);
+    return error;
   }
-  note_if_full(folder, error_of_room_in(folder_of(lock)));
   lock_of_this_process = lock;
   process_of_lock = getpid();
   // PoCL is loaded later, so its own exit handlers run before this one.
   std::atexit([] {
     if (getpid() == process_of_lock) remove_folder(lock_of_this_process);
   });
-  setenv("POCL_CACHE_DIR", folder_of(lock).c_str(), 1);
+  setenv("POCL_CACHE_DIR", folder.c_str(), 1);
+  return 0;
 }
 
-const std::string& problem_of_pocl_folder() {
+// In `temporary`, where others may write too: this user's alone. Its errno, or 0.
+int make_private_folder_in(const fs::path& temporary) {
+  const fs::path folder = temporary / ("nook-" + std::to_string(geteuid()));
+  if (mkdir(folder.c_str(), 0700) == 0)
+    chmod(folder.c_str(), 0700);  // whatever the umask
+  else if (errno != EEXIST)
+    return errno;
+  struct stat status;
+  if (lstat(folder.c_str(), &status) != 0) return errno;
+  const bool ours = S_ISDIR(status.st_mode) && status.st_uid == geteuid() && (status.st_mode & 0777) == 0700;
+  return ours ? make_folder_in(folder) : EACCES;
+}
+
+std::string text_of(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value ? value : "";
+}
+
+void check_chosen(const fs::path& folder) {
+  std::error_code failed;
+  fs::create_directories(folder, failed);
+  const int error = failed ? failed.value() : error_of_use(folder);
+  // A full disk does no harm where all that PoCL needs is there already.
+  if (error && !is_full(error))
+    problem = Error(ExitCode::device, "POCL_CACHE_DIR: " + folder.string() + ": " + reason_of(error));
+}
+
+void make_folder() {
+  std::string tried;
+  // In another folder PoCL would meet the same full disk more often than not: only other errors go on.
+  const auto settled = [&](const fs::path& folder, int error) {
+    if (is_full(error))
+      problem = Error(ExitCode::output, folder.string() + ": " + std::strerror(error) +
+                                            ": PoCL has no room for its files there");
+    else if (error)
+      tried += "; " + folder.string() + ": " + reason_of(error);
+    return error == 0 || is_full(error);
+  };
+  if (const fs::path cache = program_cache_dir(); !cache.empty())
+    if (settled(cache / "pocl", make_folder_in(cache / "pocl"))) return;
+  for (const std::string& temporary : {text_of("TMPDIR"), std::string("/tmp"), std::string("/var/tmp")})
+    if (!temporary.empty() && settled(temporary, make_private_folder_in(temporary))) return;
+  problem = Error(ExitCode::device, "PoCL has no folder for its files, NOOK_CACHE_DIR names one" + tried);
+}
+
+}  // namespace
+
+void prepare_for_pocl() {
+  // One that throws is not done: the next call throws again.
+  static const bool done = [] {
+    check_what_pocl_needs(threads_to_use());
+    if (const std::string chosen = text_of("POCL_CACHE_DIR"); !chosen.empty())
+      check_chosen(chosen);
+    else
+      make_folder();
+    return true;
+  }();
+  (void)done;
+}
+
+const std::optional<Error>& problem_of_pocl_folder() {
   return problem;
 }
 

@@ -1,20 +1,26 @@
 #pragma once
 
-#include <string>
+#include <optional>
+
+#include "base/error.hpp"
 
 namespace nook {
 
-/// Makes a folder for PoCL's intermediate files, of this process alone and removed when it ends, and names it
-/// in POCL_CACHE_DIR, before PoCL is loaded. PoCL would otherwise keep them in ~/.cache/pocl and trust
-/// whatever it finds there: a file that a full disk cut short ends the process in a signal. What is worth
-/// keeping is in nook's own cache, with checksums (program_cache.hpp). Folders that killed processes left
-/// behind are removed. Does nothing where POCL_CACHE_DIR is set (so a second call does nothing), or where no
-/// folder can be made for want of a right to; for want of room, see problem_of_pocl_folder(). Sets an
-/// environment variable: call it while no other thread reads them.
-void give_pocl_its_own_folder();
+/// Settles what PoCL reads of the environment, once, before it is loaded; a second call does nothing.
+///
+/// Throws Error(device) where PoCL would end the process (check_what_pocl_needs()). Makes a folder for its
+/// intermediate files, of this process alone and removed when it ends, and names it in POCL_CACHE_DIR: PoCL
+/// would otherwise keep them in ~/.cache/pocl and trust whatever it finds there; a file that a full disk cut
+/// short ends the process in a signal. What is worth keeping is in nook's own cache, with checksums
+/// (program_cache.hpp). Where that cannot be written, or programs may not be run from there, the folder is a
+/// private one in TMPDIR, /tmp or /var/tmp. Folders that killed processes left behind are removed. A
+/// POCL_CACHE_DIR of the user's is used as it is.
+///
+/// Sets environment variables: call it while no other thread reads them.
+void prepare_for_pocl();
 
-/// One line that names the folder and the error, if there was no room for it or for 4 MiB in it (PoCL would
-/// end the process); else empty.
-const std::string& problem_of_pocl_folder();
+/// Why PoCL can use no folder: Error(output) if there was no room for it or for 4 MiB in it, else
+/// Error(device), each naming the folder. PoCL then offers no device, or ends the process when it is used.
+const std::optional<Error>& problem_of_pocl_folder();
 
 }  // namespace nook

@@ -9,10 +9,10 @@
 #include <half.h>
 
 #include <list>
-#include <thread>
 
 #include "base/error.hpp"
 #include "base/pending_file.hpp"
+#include "base/threads.hpp"
 #include "image/exr.hpp"
 
 namespace nook {
@@ -55,20 +55,10 @@ void require_planes(const Image& image) {
 
 }  // namespace
 
-namespace {
-unsigned most_threads = 0;
-}
-
-void limit_exr_threads(unsigned threads) {
-  most_threads = threads;
-}
-
 void write_exr(const std::filesystem::path& path, const Image& image, ExrPrecision precision) {
   require_planes(image);
   // Compression is most of the time spent here, and the bytes do not depend on the number of threads.
-  static const bool threads_set = (Imf::setGlobalThreadCount(static_cast<int>(
-                                       most_threads ? most_threads : std::thread::hardware_concurrency())),
-                                   true);
+  static const bool threads_set = (Imf::setGlobalThreadCount(static_cast<int>(threads_to_use())), true);
   (void)threads_set;
 
   const Imath::Box2i window({image.x0, image.y0}, {image.x0 + image.width - 1, image.y0 + image.height - 1});

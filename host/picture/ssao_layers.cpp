@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "base/stopwatch.hpp"
 #include "plan/scene_camera.hpp"
 #include "scene/layer_names.hpp"
 #include "scene/names.hpp"
@@ -63,12 +64,13 @@ SsaoLayers draw_ssao(const Scene& scene, const TriangleMesh& mesh, const Plan& p
   const bool alone = !plan.needs_opencl();
   if (alone && (aovs.variance || aovs.samples))
     throw Error(ExitCode::usage, "--aov: SSAO has no variance and no samples channel");
+  const Stopwatch watch;
   SsaoRenderer renderer(mesh);
   if (alone) {
     image.width = plan.window.width();
     image.height = plan.window.height();
   }
-  SsaoLayers layers{{}, renderer.device(), renderer.version(), renderer.mesh_bytes()};
+  SsaoLayers layers{{}, renderer.device(), renderer.version(), renderer.mesh_bytes(), 0};
   std::size_t layer_index = 0;
   for (const SsaoSettings& settings : plan.ssao) {
     while (plan.layers[layer_index].kind != EffectKind::ssao) ++layer_index;
@@ -97,6 +99,7 @@ SsaoLayers draw_ssao(const Scene& scene, const TriangleMesh& mesh, const Plan& p
       image.channels.push_back({(layer.main ? "" : layer.prefix) + channel, value});
     if (surface) add_surface(plan, aovs, frame, image);
   }
+  layers.seconds = watch.seconds();
   return layers;
 }
 

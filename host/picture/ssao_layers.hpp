@@ -28,6 +28,7 @@ struct SsaoLayers {
   std::vector<SsaoRecord> effects;  ///< in the plan's order
   std::string device, version;      ///< of OpenGL
   std::uint64_t mesh_bytes = 0;     ///< uploaded
+  double seconds = 0;               ///< all that it took
 };
 
 /// Draws the screen-space effects of `plan`, each frame `frames` times, for timing, and appends their

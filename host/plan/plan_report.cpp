@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <unordered_set>
 
+#include "base/counted.hpp"
 #include "kernels/shared/task.h"
 #include "plan/cut_outs.hpp"
 #include "plan/surface_sets.hpp"
@@ -19,19 +21,21 @@ std::uint64_t bytes_of(const Vector& values) {
 
 void add_passes(const Plan& plan, const TriangleMesh& mesh, PlanReport& report) {
   if (plan.needs_opencl())
-    report.passes.push_back(
-        {"tree",
-         plan.instances ? fmt::format("over {} instances that stand for {} triangles, and one for each of {} "
-                                      "meshes, {} triangles",
-                                      mesh.instances.size(), mesh.scene_triangles(), mesh.parts.size(),
-                                      mesh.triangles.size())
-                        : fmt::format("over {} triangles", mesh.triangles.size()),
-         0});
+    report.passes.push_back({"tree",
+                             plan.instances
+                                 ? fmt::format("over {}, {} in all, and one for each of {}, {}",
+                                               counted(mesh.instances.size(), "instance"),
+                                               counted(mesh.scene_triangles(), "triangle"),
+                                               counted(mesh.parts.size(), "mesh", "meshes"),
+                                               counted(mesh.triangles.size(), "triangle"))
+                                 : fmt::format("over {}", counted(mesh.triangles.size(), "triangle")),
+                             0});
   for (const auto& set : plan.occluder_sets)
     report.passes.push_back(
-        {"tree", fmt::format("over the {} triangles of a set of occluders", set.size()), 0});
+        {"tree", fmt::format("over {}, a set of occluders", counted(set.size(), "triangle")), 0});
   if (plan.only_self())
-    report.passes.push_back({"trees", fmt::format("one for each of {} groups", mesh.groups.size()), 0});
+    report.passes.push_back(
+        {"trees", fmt::format("one for each of {}", counted(mesh.groups.size(), "group")), 0});
   const std::uint64_t pixels = std::uint64_t(plan.window.width()) * std::uint64_t(plan.window.height());
   if (!plan.effects.empty())
     report.passes.push_back(
@@ -54,12 +58,10 @@ void add_passes(const Plan& plan, const TriangleMesh& mesh, PlanReport& report) 
 void add_kernels(const Plan& plan, PlanReport& report) {
   if (!plan.needs_opencl()) return;
   report.kernels.push_back(primary_kernel(plan));
+  std::unordered_set<std::string> known;
   for (const EffectPlan& effect : plan.effects) {
     KernelPlan kernel = occlusion_kernel(plan, effect);
-    const bool known = std::any_of(report.kernels.begin(), report.kernels.end(), [&](const KernelPlan& k) {
-      return k.file == kernel.file && k.options.text() == kernel.options.text();
-    });
-    if (!known) report.kernels.push_back(std::move(kernel));
+    if (known.insert(kernel.file + kernel.options.text()).second) report.kernels.push_back(std::move(kernel));
   }
 }
 

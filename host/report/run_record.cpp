@@ -147,6 +147,7 @@ void write_stats(const std::filesystem::path& path, const RunRecord& r) {
         {"bvh", r.seconds.bvh},
         {"compile", r.seconds.compile},
         {"render", r.seconds.render},
+        {"ssao", r.seconds.ssao},
         {"write", r.seconds.write},
         {"before_first_ray", r.seconds.before_first_ray},
         {"total", r.seconds.total}}}};

@@ -17,6 +17,7 @@ namespace nook {
 /// Wall-clock seconds of the stages of a run.
 struct RunSeconds {
   double load = 0, bvh = 0, compile = 0, render = 0, write = 0, total = 0;
+  double ssao = 0;              ///< drawing the screen-space layers beside traced ones
   double before_first_ray = 0;  ///< of the total: until the first kernel is launched
 };
 

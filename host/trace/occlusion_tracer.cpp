@@ -1,12 +1,31 @@
 #include "trace/occlusion_tracer.hpp"
 
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
 #include "base/error.hpp"
 
 namespace nook {
 namespace {
 
+// NOOK_TRAVERSAL: for measurements.
+std::optional<Traversal> traversal_of_environment() {
+  const char* name = std::getenv("NOOK_TRAVERSAL");
+  if (!name || !*name) return std::nullopt;
+  static constexpr std::pair<std::string_view, Traversal> known[] = {
+      {"stream", Traversal::stream}, {"portable", Traversal::portable}, {"scalar", Traversal::scalar}};
+  for (const auto& [word, traversal] : known)
+    if (name == word) return traversal;
+  throw Error(ExitCode::usage,
+              std::string("NOOK_TRAVERSAL is '") + name + "'; it must be stream, portable or scalar");
+}
+
 Traversal chosen(const Device& device, Traversal traversal) {
   if (traversal != Traversal::automatic) return traversal;
+  if (const auto named = traversal_of_environment()) return *named;
   return device.info().is_cpu() ? Traversal::stream : Traversal::scalar;
 }
 

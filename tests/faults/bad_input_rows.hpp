@@ -25,7 +25,7 @@ struct BadInput {
   std::vector<std::string> before = {};                          ///< commands that succeed
   std::function<void(const std::filesystem::path&)> spoil = {};  ///< then this
   std::vector<std::pair<std::string, std::string>> environment = {};
-  rlim_t file_size = RLIM_INFINITY;
+  std::vector<std::pair<int, rlim_t>> limits = {};  ///< RLIMIT_FSIZE and the like
   std::string standard_output = {};
 };
 

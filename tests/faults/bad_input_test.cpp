@@ -36,14 +36,14 @@ TEST_P(BadInputTest, OneLineAndItsExitCode) {
   ProgramSetting setting;
   setting.folder = folder.path();
   setting.environment = row.environment;
-  setting.file_size = row.file_size;
+  setting.limits = row.limits;
   setting.standard_output = row.standard_output;
   setting.timeout = 30;
   for (const std::string& command : row.before) {
     setting.arguments = words(command);
     ProgramSetting clean = setting;
     std::erase_if(clean.environment, [](const auto& entry) { return entry.first != "POCL_CACHE_DIR"; });
-    clean.file_size = RLIM_INFINITY;
+    clean.limits.clear();
     const ProgramResult made = run_program(NOOK_PROGRAM, clean);
     ASSERT_EQ(made.code, 0) << command << ": " << made.err;
   }

@@ -6,6 +6,7 @@
 #include <random>
 #include <set>
 
+#include "bad_input_rows.hpp"
 #include "small_scene.hpp"
 #include "support/program.hpp"
 
@@ -103,6 +104,41 @@ TEST(CommandLine, RandomWordsEndInDocumentedCodes) {
       EXPECT_TRUE(result.err.find("nook: ") != std::string::npos && result.err.back() == '\n')
           << line << ": " << result.err;
     }
+  }
+}
+
+ProgramResult run_in(const TemporaryFolder& folder, const std::string& command) {
+  ProgramSetting setting;
+  setting.folder = folder.path();
+  setting.arguments = words(command);
+  return run_program(NOOK_PROGRAM, setting);
+}
+
+// The flags belong to the effect that is probed, not to the one that the scene has.
+TEST(CommandLine, ProbesABareMeshForReflections) {
+  TemporaryFolder folder;
+  write_small_scene(folder.path());
+  write_bytes(folder / "points.csv", "0,0,1,0,0,1,0,0,1\n");
+  for (const char* more : {"--sampling lobe", "--sampling mixture --exponent 20", "--exponent 3"}) {
+    const ProgramResult result =
+        run_in(folder, std::string("probe mesh.obj --points points.csv --effect ro --samples 16 ") + more);
+    EXPECT_EQ(result.code, 0) << more << ": " << result.err;
+    EXPECT_TRUE(result.out.starts_with("value,standard_error,samples\n")) << result.out;
+  }
+}
+
+TEST(CommandLine, HelpShowsWhatACommandReads) {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> unread = {
+      {"probe", {"--spp", "--directions", "--size", "--crop", "--radius", "--method"}},
+      {"bake", {"--exponent", "--radius", "--method", "--quality", "--crop"}},
+      {"study", {"--spp", "--directions", "--sampling ", "--sampler ", "--crop", "--method"}}};
+  TemporaryFolder folder;
+  for (const auto& [command, flags] : unread) {
+    const ProgramResult help = run_in(folder, command + " --help");
+    EXPECT_EQ(help.code, 0);
+    EXPECT_NE(help.out.find("--max-distance "), std::string::npos) << help.out;
+    for (const std::string& flag : flags)
+      EXPECT_EQ(help.out.find("  " + flag), std::string::npos) << command << " does not read " << flag;
   }
 }
 

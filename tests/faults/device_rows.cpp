@@ -12,6 +12,19 @@ BadInput screen_space(const char* name, const std::string& says,
   return row;
 }
 
+// Before OpenCL is loaded, nook looks for what PoCL would end in a signal, or hang, without.
+BadInput limited(const char* name, const std::string& says, int resource, rlim_t value) {
+  BadInput row{name, render, 4, "PoCL cannot work here: " + says};
+  row.limits = {{resource, value}};
+  return row;
+}
+
+BadInput pocl_files_in(const char* name, const std::string& folder, const std::string& says) {
+  BadInput row{name, render, 4, says};
+  row.environment = {{"POCL_CACHE_DIR", folder}};
+  return row;
+}
+
 // Enough triangles that their positions are the first buffer of over 1000 bytes.
 std::string fan() {
   std::string text = "v 0 0 0\n";
@@ -23,6 +36,8 @@ std::string fan() {
 }  // namespace
 
 std::vector<BadInput> device_rows() {
+  std::string long_name = "/nonexistent";
+  for (int i = 0; i < 4; ++i) long_name += '/' + std::string(220, 'x');
   return {
       {"no OpenCL platform",
        render,
@@ -76,6 +91,14 @@ std::vector<BadInput> device_rows() {
        {},
        {},
        {{"NOOK_OPENCL", NOOK_FAILING_OPENCL}, {"NOOK_FAIL_LAUNCH", "2"}}},
+      pocl_files_in("PoCL's folder is a device", "/dev/null", "POCL_CACHE_DIR: /dev/null: "),
+      pocl_files_in("PoCL's folder cannot be made", "/proc/none/pocl", "POCL_CACHE_DIR: /proc/none/pocl: "),
+      pocl_files_in("PoCL's folder has too long a name", long_name, "File name too long"),
+      limited("stack of 64 KiB", "its compiler needs a stack of 128 KiB, the limit is 64 (ulimit -s)",
+              RLIMIT_STACK, 64 << 10),
+      limited("eight open files", "it needs 10 open files, the limit leaves", RLIMIT_NOFILE, 8),
+      limited("address space of 512 MiB",
+              "it needs 640 MiB of address space, the limit leaves less (ulimit -v)", RLIMIT_AS, 512 << 20),
       screen_space("no OSMesa", "libnook-no-such-library.so",
                    {{"NOOK_OSMESA", "libnook-no-such-library.so"}}),
       screen_space("unknown way to OpenGL", "NOOK_GL is 'glx'", {{"NOOK_GL", "glx"}}),

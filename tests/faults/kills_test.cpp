@@ -67,6 +67,8 @@ TEST_F(NothingLost, KillsAtRandomMoments) {
   for (int i : {0, 1}) EXPECT_EQ(running[i]->wait().code, 0);
   succeed("merge k2.nook k1.nook -o merged.exr");
   expect_same_picture("one.exr", "merged.exr");
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+    EXPECT_NE(entry.path().extension(), ".part") << entry.path() << " was left by a killed process";
 }
 
 TEST_F(NothingLost, LostDeviceKeepsItsCheckpoint) {

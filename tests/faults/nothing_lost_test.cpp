@@ -74,7 +74,7 @@ TEST_F(NothingLost, StatusSaysWhatIsMissing) {
 TEST_F(NothingLost, SignalsFlushAndResumeGivesTheSameBits) {
   succeed(long_render + " -o one.exr");
   const std::string resumed = long_render + " --checkpoint c.nook --every 0 --resume -o resumed.exr";
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     RunningProgram program(NOOK_PROGRAM, setting(resumed));
     ASSERT_TRUE(writes(program, folder / "c.nook")) << "too quick to be interrupted";
     program.send(signal);
@@ -88,9 +88,9 @@ TEST_F(NothingLost, SignalsFlushAndResumeGivesTheSameBits) {
 }
 
 TEST_F(NothingLostToAnError, SignalsFlushAndResumeGivesTheSameBits) {
-  int signal = SIGTERM;
-  for (const std::string& render : renders_to_an_error) {
-    signal = signal == SIGINT ? SIGTERM : SIGINT;
+  const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+  for (std::size_t i = 0; const std::string& render : renders_to_an_error) {
+    const int signal = signals[i++ % 3];
     succeed(render + with_aovs + " -o one.exr");
     const std::string resumed = render + with_aovs + " --checkpoint c.nook --every 0 --resume -o resumed.exr";
     {

@@ -1,6 +1,7 @@
 #include "support/program.hpp"
 
 #include <fcntl.h>
+#include <sched.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -49,10 +50,13 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return result;
 }
 
-void limit(int resource, rlim_t value) {
-  if (value == RLIM_INFINITY) return;
-  const rlimit both{value, value};
-  ::setrlimit(resource, &both);
+void use_one_processor() {
+  cpu_set_t allowed, one;
+  ::sched_getaffinity(0, sizeof allowed, &allowed);
+  CPU_ZERO(&one);
+  for (int i = 0; i < CPU_SETSIZE && CPU_COUNT(&one) == 0; ++i)
+    if (CPU_ISSET(i, &allowed)) CPU_SET(i, &one);
+  ::sched_setaffinity(0, sizeof one, &one);
 }
 
 }  // namespace
@@ -64,17 +68,26 @@ RunningProgram::RunningProgram(const std::string& program, const ProgramSetting&
   std::vector<std::string> environment = environment_with(setting.environment);
   const std::vector<char*> argv = pointers(arguments), envp = pointers(environment);
   const std::string output = setting.standard_output.empty() ? output_.string() : setting.standard_output;
+  const bool closed = setting.standard_error == "closed";
+  const std::string errors =
+      setting.standard_error.empty() || closed ? errors_.string() : setting.standard_error;
   child_ = ::fork();
   if (child_ < 0) throw std::runtime_error("cannot start " + program);
   if (child_ > 0) return;
   // Between fork and exec only what is safe in a signal handler: the parent has threads.
-  const int out = ::open(output.c_str(), O_WRONLY | O_TRUNC), err = ::open(errors_.c_str(), O_WRONLY);
+  const int out = ::open(output.c_str(), O_WRONLY | O_TRUNC), err = ::open(errors.c_str(), O_WRONLY);
   const int in = ::open(setting.standard_input.c_str(), O_RDONLY);
   if (::dup2(in, 0) < 0 || ::dup2(out, 1) < 0 || ::dup2(err, 2) < 0) ::_exit(126);
   if (!setting.folder.empty() && ::chdir(setting.folder.c_str()) != 0) ::_exit(126);
-  if (setting.file_size != RLIM_INFINITY) ::signal(SIGXFSZ, SIG_IGN);
-  limit(RLIMIT_FSIZE, setting.file_size);
-  limit(RLIMIT_AS, setting.address_space);
+  if (closed) ::close(2);
+  // What the tests' own parent ignores would stay ignored.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) ::signal(signal, SIG_DFL);
+  for (const auto& [resource, value] : setting.limits) {
+    if (resource == RLIMIT_FSIZE) ::signal(SIGXFSZ, SIG_IGN);
+    const rlimit both{value, value};
+    ::setrlimit(resource, &both);
+  }
+  if (setting.one_processor) use_one_processor();
   ::execve(program.c_str(), argv.data(), envp.data());
   ::_exit(127);
 }

@@ -21,10 +21,12 @@ struct ProgramSetting {
   std::vector<std::string> arguments;
   std::filesystem::path folder;  ///< to run in; empty: this process's
   std::vector<std::pair<std::string, std::string>>
-      environment;                   ///< added; an empty value removes the variable
-  rlim_t file_size = RLIM_INFINITY;  ///< bytes; writing beyond fails as on a full disk (EFBIG)
-  rlim_t address_space = RLIM_INFINITY;
+      environment;  ///< added; an empty value removes the variable
+  /// RLIMIT_FSIZE and the like, soft and hard; writing beyond a file size fails as on a full disk (EFBIG).
+  std::vector<std::pair<int, rlim_t>> limits = {};
+  bool one_processor = false;   ///< its mask (taskset) is of the first that this process may use
   std::string standard_output;  ///< a file to write to instead of ProgramResult::out, e.g. /dev/full
+  std::string standard_error;   ///< likewise; "closed" closes it
   std::string standard_input = "/dev/null";  ///< a file
   double timeout = 60;                       ///< seconds; then it is killed, and the result's code is 137
 };
@@ -38,6 +40,7 @@ class RunningProgram {
   RunningProgram& operator=(const RunningProgram&) = delete;
 
   void send(int signal) const;
+  pid_t process() const { return child_; }
   /// Waits for at most the setting's timeout. False: it still runs.
   bool ended_within(double seconds);
   ProgramResult wait();

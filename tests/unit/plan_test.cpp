@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "bvh/bvh.hpp"
@@ -199,6 +200,49 @@ TEST(Plan, ALobeByMaterialNeedsOne) {
   expect_error(ExitCode::scene, "small.mtl:2: Ns must be a number from 0 to 1e7", plan);
   std::filesystem::remove(folder / "small.mtl");
   expect_error(ExitCode::scene, "needs a material with a lobe", plan);
+}
+
+// Names in the scene and numbers of types may meet; each layer still has its own.
+TEST(Plan, LayersHaveNamesOfTheirOwn) {
+  const Plan plan =
+      plan_of(
+          "[renderer]\n[[effect]]\ntype = \"ao\"\n[[effect]]\ntype = \"ao\"\n[[effect]]\nname = "
+          "\"ao2\"\ntype = \"ao\"\n[[effect]]\ntype = \"ao\"\n")
+          .plan;
+  EXPECT_EQ(prefixes(plan), (std::vector<std::string>{"", "ao.", "ao2.", "ao3."}));
+}
+
+// It was cubic: two thousand effects took twenty seconds.
+TEST(Plan, TakesTimeInProportionToItsEffects) {
+  std::string text = "[renderer]\n";
+  for (int i = 0; i < 20000; ++i) text += "[[effect]]\ntype = \"ao\"\n";
+  const auto start = std::chrono::steady_clock::now();
+  const Planned many = plan_of(text);
+  const PlanReport report = report_plan(many.scene, many.plan, many.mesh, nullptr);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(taken.count(), 10);
+  EXPECT_EQ(many.plan.layers.back().prefix, "ao19999.");
+  EXPECT_EQ(report.kernels.size(), 2u) << "one for camera rays, one for all effects";
+}
+
+TEST(Plan, OfSsaoAloneHasNoCameraRays) {
+  const TemporaryFolder folder;
+  const auto scene =
+      test::write_small_scene(folder, "scene.toml", "[renderer]\nrealtime = true\ntype = \"ssao\"\n");
+  const test::ProgramResult run = test::run_nook(folder, "plan '" + scene.string() + "'");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out.find("camera ray"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("48x36 pixels, 14 triangles\n"), std::string::npos) << run.out;
+}
+
+TEST(Plan, OneIsSingular) {
+  const TemporaryFolder folder;
+  const auto scene = test::write_small_scene(folder, "scene.toml", "[renderer]\ntype = \"ao\"\nspp = 1\n");
+  const test::ProgramResult run =
+      test::run_nook(folder, "plan '" + scene.string() + "' --spp 1 --directions 1");
+  EXPECT_NE(run.out.find("48x36 pixels, 1 camera ray a pixel, 1 direction each, 14 triangles\n"),
+            std::string::npos)
+      << run.out;
 }
 
 }  // namespace

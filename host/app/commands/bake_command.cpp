@@ -8,9 +8,12 @@
 #include "app/commands/bake_texture.hpp"
 #include "app/interrupt.hpp"
 #include "app/options/loading.hpp"
+#include "app/options/render_options.hpp"
 #include "app/options/scene_options.hpp"
 #include "app/progress.hpp"
+#include "base/counted.hpp"
 #include "base/error.hpp"
+#include "base/to_stderr.hpp"
 #include "film/bent_cone.hpp"
 #include "mesh/ply.hpp"
 #include "points/vertex_points.hpp"
@@ -35,6 +38,7 @@ Scene bake_scene(const BakeOptions& options) {
   if (scene.effects.empty())
     throw Error(ExitCode::scene,
                 fmt::format("{}: a bake needs an effect of type ao or bent", scene.file.string()));
+  options.scene.check_applicable(scene);
   const std::uint64_t directions = std::uint64_t(scene.spp) * scene.directions;
   if (directions > 1u << 26)
     throw Error(ExitCode::scene, fmt::format("{}: spp x directions is {}, at most {} for a bake",
@@ -76,8 +80,8 @@ void write_vertices(const std::filesystem::path& output, SceneRenderer& renderer
     for (VertexProperty& property : properties_of(plan.effects[e], films[e]))
       properties.push_back(std::move(property));
   write_ply(output, mesh, normals, properties);
-  fmt::print(stderr, "{}: {} vertices, {} directions each\n", output.string(), mesh.positions.size(),
-             plan.directions);
+  to_stderr("{}: {}, {} each\n", output.string(), counted(mesh.positions.size(), "vertex", "vertices"),
+            counted(plan.directions, "direction"));
 }
 
 int bake(const BakeOptions& options) {
@@ -86,6 +90,8 @@ int bake(const BakeOptions& options) {
   keep_inputs(scene, options.output);
   if (!to_texture && (options.texture.size || options.texture.dilation || !options.texture.aovs.empty()))
     throw Error(ExitCode::usage, "--size, --dilation, --aov: are of textures; they need --to texture");
+  static constexpr std::string_view written[] = {".ply"};
+  if (!to_texture) check_extension(options.output, written);
   if (to_texture) check_texture_options(options.texture, scene, options.output);
   MeshAttributes attributes = needed_attributes(scene);
   attributes.uvs = attributes.uvs || to_texture;
@@ -124,9 +130,8 @@ void add_bake_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<BakeOptions>();
   CLI::App* command = app.add_subcommand(
       "bake", "Write AO and bent normals at the mesh's vertices into a PLY file, or into a texture");
-  options->scene.add_to(*command);
   // The film of the scene is not what is baked.
-  for (const char* of_film : {"--size", "--crop"}) command->remove_option(command->get_option(of_film));
+  options->scene.add_to(*command, ambient_kinds, {"--size", "--crop"});
   options->device.add_to(*command);
   command->add_option("--to", options->to, "vertices or texture")
       ->check(CLI::IsMember({"vertices", "texture"}));

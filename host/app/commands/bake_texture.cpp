@@ -6,8 +6,10 @@
 
 #include <algorithm>
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "base/memory.hpp"
+#include "base/to_stderr.hpp"
 #include "image/exr.hpp"
 #include "image/png.hpp"
 #include "picture/picture.hpp"
@@ -99,11 +101,11 @@ TexturePoints points_of_texture(const TextureOptions& options, const Scene& scen
   try {
     TexturePoints made = texture_points(mesh, options.size.value_or(default_size));
     if (made.overlapping)
-      fmt::print(stderr, "warning: {} texels lie in more than one triangle; the first in the mesh has them\n",
-                 made.overlapping);
+      to_stderr("warning: {} in more than one triangle, the first of the mesh has them\n",
+                counted(made.overlapping, "texel lies", "texels lie"));
     if (made.without_uv)
-      fmt::print(stderr, "warning: {} triangles have no texture coordinates and are in no texel\n",
-                 made.without_uv);
+      to_stderr("warning: {} no texture coordinates, and no texel\n",
+                counted(made.without_uv, "triangle has", "triangles have"));
     return made;
   } catch (const Error& e) {
     throw Error(e.code(), scene.mesh_file.string() + ": " + e.what());
@@ -130,8 +132,9 @@ void write_texture(const TextureOptions& options, const TexturePoints& texels, S
     write_png(output, image);
   else
     write_exr(output, image);
-  fmt::print(stderr, "{}: {} of {} texels covered, {} directions each\n", output.string(),
-             texels.texels.size(), std::size_t(texels.size) * std::size_t(texels.size), plan.directions);
+  to_stderr("{}: {} of {} covered, {} each\n", output.string(), texels.texels.size(),
+            counted(std::size_t(texels.size) * std::size_t(texels.size), "texel"),
+            counted(plan.directions, "direction"));
 }
 
 }  // namespace nook

@@ -7,7 +7,9 @@
 #include <optional>
 
 #include "app/commands.hpp"
+#include "app/options/render_options.hpp"
 #include "base/error.hpp"
+#include "base/to_stderr.hpp"
 #include "image/compare.hpp"
 #include "image/error_image.hpp"
 
@@ -21,6 +23,8 @@ struct Options {
 };
 
 int run(const Options& options) {
+  static constexpr std::string_view written[] = {".png", ".exr"};
+  if (options.error_image) check_extension(*options.error_image, written);
   if (options.error_image)
     for (const std::filesystem::path& input : {options.compare.a, options.compare.b}) {
       std::error_code code;
@@ -33,7 +37,7 @@ int run(const Options& options) {
     comparison = compare_files(options.compare);
   } catch (const Error& error) {
     if (error.code() != ExitCode::scene) throw;
-    fmt::print(stderr, "nook: {}\n", error.what());
+    to_stderr("nook: {}\n", error.what());
     return static_cast<int>(CompareStatus::unreadable);
   }
   if (!options.quiet)

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "app/commands.hpp"
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "device/device.hpp"
 #include "plan/tree_options.hpp"
@@ -19,11 +20,11 @@ int print_devices() {
     throw Error(ExitCode::device, "no OpenCL device found; `nook doctor` says what is missing");
   for (const DeviceInfo& d : devices)
     fmt::print(
-        "{}:{}  {}  {}\n     {}; driver {}; {} compute units, vectors of {} floats, {:.1f} GiB (at most "
+        "{}:{}  {}  {}\n     {}; driver {}; {}, vectors of {}, {:.1f} GiB (at most "
         "{:.1f} GiB a buffer), {} children a node of the tree\n",
-        d.platform_index, d.device_index, type_name(d), d.name, d.platform_name, d.driver, d.compute_units,
-        d.native_float_width, double(d.memory) / (1u << 30), double(d.max_allocation) / (1u << 30),
-        tree_width(d, {}));
+        d.platform_index, d.device_index, type_name(d), d.name, d.platform_name, d.driver,
+        counted(d.compute_units, "compute unit"), counted(d.native_float_width, "float"),
+        double(d.memory) / (1u << 30), double(d.max_allocation) / (1u << 30), tree_width(d, {}));
   return 0;
 }
 

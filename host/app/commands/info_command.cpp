@@ -7,6 +7,7 @@
 #include "app/commands.hpp"
 #include "app/options/loading.hpp"
 #include "app/options/scene_options.hpp"
+#include "base/counted.hpp"
 #include "mesh/mesh_analysis.hpp"
 #include "plan/plan.hpp"
 #include "scene/effect_keys.hpp"
@@ -25,14 +26,23 @@ void print_picture(const Scene& scene, bool spp_given) {
   if (sampled)
     fmt::print("samples           {}, {} of a camera ray, {} from seed {}\n",
                scene.stop.any() && !spp_given
-                   ? fmt::format("at most {} camera rays a pixel", scene.stop.max_spp)
-                   : fmt::format("{} camera rays a pixel", scene.spp),
-               scene.directions == 1 ? "1 direction" : fmt::format("{} directions", scene.directions),
-               name_of(scene.sampler), scene.seed);
+                   ? fmt::format("at most {} a pixel", counted(scene.stop.max_spp, "camera ray"))
+                   : fmt::format("{} a pixel", counted(scene.spp, "camera ray")),
+               counted(scene.directions, "direction"), name_of(scene.sampler), scene.seed);
   const std::vector<std::string> prefixes = layer_prefixes(scene);
   for (std::size_t e = 0; e < scene.effects.size(); ++e)
     fmt::print("effect            {}: {}\n", effect_label(scene.effects[e].kind, prefixes[e]),
                settings_text(scene.effects[e]));
+}
+
+// Each file once, in the scene's order.
+std::vector<std::filesystem::path> mesh_files(const Scene& scene) {
+  if (scene.instances.empty()) return {scene.mesh_file};
+  std::vector<std::filesystem::path> files;
+  for (const Instance& instance : scene.instances)
+    if (std::find(files.begin(), files.end(), instance.mesh_file) == files.end())
+      files.push_back(instance.mesh_file);
+  return files;
 }
 
 int print_info(const SceneOptions& options) {
@@ -43,11 +53,12 @@ int print_info(const SceneOptions& options) {
   const MeshAnalysis analysis = analyse(mesh);
   const dvec3 lo = mesh.frame.to_file(dvec3(mesh.bounds.lo)), hi = mesh.frame.to_file(dvec3(mesh.bounds.hi)),
               center = mesh.frame.to_file(dvec3(mesh.bounds.center()));
-  fmt::print("mesh              {}\n", scene.mesh_file.string());
+  for (const std::filesystem::path& file : mesh_files(scene))
+    fmt::print("mesh              {}\n", file.string());
   fmt::print("triangles         {}\n", mesh.scene_triangles());
   if (!mesh.instances.empty())
-    fmt::print("instances         {} of {} meshes, which have {} triangles\n", mesh.instances.size(),
-               mesh.parts.size(), mesh.triangles.size());
+    fmt::print("instances         {} of {}, which have {}\n", mesh.instances.size(),
+               counted(mesh.parts.size(), "mesh", "meshes"), counted(mesh.triangles.size(), "triangle"));
   fmt::print("positions         {}\n", mesh.positions.size());
   fmt::print("groups, materials {}, {}\n", mesh.groups.size(), mesh.materials.size());
   fmt::print("bounds            ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})\n", lo.x, lo.y, lo.z, hi.x, hi.y,
@@ -64,7 +75,7 @@ int print_info(const SceneOptions& options) {
                  : "none: geometric normals are used");
   fmt::print("zero-area         {}\n", analysis.zero_area);
   fmt::print("duplicates        {}\n", analysis.duplicates);
-  fmt::print("NaN or infinite   {} triangles dropped\n", mesh.report.non_finite_dropped);
+  fmt::print("NaN or infinite   {} dropped\n", counted(mesh.report.non_finite_dropped, "triangle"));
   const std::vector<std::string> prefixes = layer_prefixes(scene);
   for (std::size_t e = 0; e < scene.effects.size(); ++e) {
     const Effect& effect = scene.effects[e];

@@ -6,6 +6,9 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/commands/render_report.hpp"
+#include "app/options/render_options.hpp"
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "film/film_part_file.hpp"
 #include "image/exr.hpp"
@@ -36,8 +39,8 @@ std::string describe(const SampleBoxes& boxes) {
   std::size_t listed = 0;
   for (const auto& [range, count] : pixels) {
     if (++listed > 8) return text + ", ...";
-    text += fmt::format("{}samples {}-{} of {} pixels", text.empty() ? "" : ", ", range.first,
-                        range.second - 1, count);
+    text += fmt::format("{}samples {}-{} of {}", text.empty() ? "" : ", ", range.first, range.second - 1,
+                        counted(count, "pixel"));
   }
   return text.empty() ? "none" : text;
 }
@@ -62,6 +65,8 @@ FilmPart join(const MergeOptions& options) {
 int merge(const MergeOptions& options) {
   if (options.output.empty() && !options.status)
     throw Error(ExitCode::usage, "merge: needs -o OUT.exr, -o PART.nook or --status");
+  static constexpr std::string_view written[] = {".exr", ".nook"};
+  check_extension(options.output, written);
   FilmPart part = join(options);
   const SampleBoxes missing = part.complete() ? SampleBoxes() : subtract({part.whole()}, part.held);
   if (options.status) fmt::print("missing: {:.2f} %: {}\n", percent(missing, part), describe(missing));
@@ -88,8 +93,7 @@ int merge(const MergeOptions& options) {
         missing.empty() ? "its parts may be from different devices" : "it is of parts that lack samples";
   write_exr(options.output, image);
   if (options.png) write_png(fs::path(options.output).replace_extension(".png"), image);
-  if (part.counts.rejected && !options.quiet)
-    fmt::print(stderr, "warning: {} samples were not finite and were left out\n", part.counts.rejected);
+  if (!options.quiet) warn_of_rejected(part.counts.rejected);
   return 0;
 }
 
@@ -100,8 +104,7 @@ void add_merge_command(CLI::App& app, Command& chosen) {
   CLI::App* command =
       app.add_subcommand("merge", "Join parts of a picture (nook render --shard, --checkpoint)");
   command->add_option("parts", options->parts, "Parts, in any order")->required();
-  command->add_option("-o,--output", options->output,
-                      "OUT.exr for the picture; any other name for a larger part");
+  command->add_option("-o,--output", options->output, "OUT.exr for the picture, PART.nook for a larger part");
   command->add_flag("--status", options->status,
                     "Print which samples each part has, and which are missing (exit code 5 if any)");
   command->add_flag("--partial", options->partial, "Write the picture though samples are missing");

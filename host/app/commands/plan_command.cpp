@@ -7,6 +7,7 @@
 #include "app/commands.hpp"
 #include "app/options/loading.hpp"
 #include "app/options/scene_options.hpp"
+#include "base/counted.hpp"
 #include "bvh/bvh.hpp"
 #include "plan/kernel_arguments.hpp"
 #include "plan/plan_report.hpp"
@@ -20,13 +21,6 @@ struct PlanOptions {
   SceneOptions scene;
   bool json = false;
 };
-
-// 1234567 -> "1 234 567"
-std::string grouped(std::uint64_t number) {
-  std::string digits = std::to_string(number);
-  for (std::size_t place = digits.size(); place > 3; place -= 3) digits.insert(place - 3, 1, ' ');
-  return digits;
-}
 
 std::string layer_text(const LayerPlan& layer) {
   if (layer.prefix.empty()) return "R,G,B";
@@ -45,16 +39,19 @@ void print_layers(const Plan& plan) {
 }
 
 void print_table(const Scene& scene, const Plan& plan, const TriangleMesh& mesh, const PlanReport& report) {
-  fmt::print("{}: {}x{} pixels, {} camera rays a pixel, {} directions each, {} triangles\n",
-             scene.file.string(), plan.window.width(), plan.window.height(), plan.spp, plan.directions,
-             grouped(mesh.scene_triangles()));
+  const std::string rays = plan.effects.empty()
+                               ? ""
+                               : fmt::format("{} a pixel, {} each, ", counted(plan.spp, "camera ray"),
+                                             counted(plan.directions, "direction"));
+  fmt::print("{}: {}x{} pixels, {}{}\n", scene.file.string(), plan.window.width(), plan.window.height(), rays,
+             counted(mesh.scene_triangles(), "triangle"));
   print_layers(plan);
   fmt::print("\nPasses\n");
   for (const PassReport& pass : report.passes)
-    fmt::print(
-        "  {:<16} {}{}\n", pass.name, pass.what,
-        pass.rays ? fmt::format(", {}{} rays", pass.name == "occlusion" ? "at most " : "", grouped(pass.rays))
-                  : "");
+    fmt::print("  {:<16} {}{}\n", pass.name, pass.what,
+               pass.rays ? fmt::format(", {}{}", pass.name == "occlusion" ? "at most " : "",
+                                       counted(pass.rays, "ray"))
+                         : "");
   if (!report.kernels.empty()) fmt::print("\nKernels\n");
   for (const KernelPlan& kernel : report.kernels)
     fmt::print("  {:<20} {}\n  {:<20} takes {}\n", kernel.file, kernel.options.text(), "",
@@ -73,15 +70,14 @@ void print_table(const Scene& scene, const Plan& plan, const TriangleMesh& mesh,
 }
 
 void print_json(const Plan& plan, const TriangleMesh& mesh, const PlanReport& report) {
-  nlohmann::json json = {{"width", plan.window.width()},
-                         {"height", plan.window.height()},
-                         {"spp", plan.spp},
-                         {"directions", plan.directions},
-                         {"triangles", mesh.scene_triangles()},
-                         {"libraries", report.libraries},
-                         {"left_out", report.left_out},
-                         {"kernels", nlohmann::json::array()},
+  nlohmann::json json = {{"width", plan.window.width()},        {"height", plan.window.height()},
+                         {"triangles", mesh.scene_triangles()}, {"libraries", report.libraries},
+                         {"left_out", report.left_out},         {"kernels", nlohmann::json::array()},
                          {"buffers", nlohmann::json::array()}};
+  if (!plan.effects.empty()) {
+    json["spp"] = plan.spp;
+    json["directions"] = plan.directions;
+  }
   auto traced = plan.effects.begin();
   for (const LayerPlan& layer : plan.layers) {
     nlohmann::json entry = {{"channels", layer_text(layer)}, {"type", name_of(layer.kind)}};
@@ -102,6 +98,7 @@ void print_json(const Plan& plan, const TriangleMesh& mesh, const PlanReport& re
 
 int show_plan(const PlanOptions& options) {
   const Scene scene = options.scene.load();
+  options.scene.check_applicable(scene);
   const TriangleMesh mesh = load_and_warn(scene, needed_attributes(scene), scene.instancing);
   const Plan plan = make_plan(scene, mesh);
   std::optional<Bvh> bvh;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "app/commands.hpp"
+#include "app/commands/render_report.hpp"
 #include "app/options/loading.hpp"
 #include "app/options/scene_options.hpp"
 #include "base/error.hpp"
@@ -27,27 +28,30 @@ struct ProbeOptions {
   std::uint32_t samples = 1024;
 };
 
-Scene probe_scene(const ProbeOptions& options) {
-  Scene scene = options.scene.load();
+// The scene's first effect, or one of the type asked for.
+void choose_effect(const std::string& asked, Scene& scene) {
   Effect effect = scene.effects.front();
-  if (!options.effect.empty()) {
-    const EffectKind kind = options.effect == "ro" ? EffectKind::ro : EffectKind::ao;
-    if (kind != effect.kind) {
-      const Effect standard = default_effect(kind);
-      effect.kind = kind;
-      effect.sampling = standard.sampling;
-      effect.max_distance = standard.max_distance;
-      options.scene.apply(effect);
-    }
-  }
-  if (effect.kind != EffectKind::ao && effect.kind != EffectKind::ro)
+  const EffectKind kind = asked.empty() ? effect.kind : *value_of<EffectKind>(effect_names, asked);
+  if (kind != EffectKind::ao && kind != EffectKind::ro)
     throw Error(ExitCode::usage, "--effect: a probe needs ao or ro");
+  if (kind != effect.kind) {
+    const Effect standard = default_effect(kind);
+    effect.kind = kind;
+    effect.sampling = standard.sampling;
+    effect.max_distance = standard.max_distance;
+  }
+  scene.effects = {effect};
+}
+
+Scene probe_scene(const ProbeOptions& options) {
+  Scene scene = options.scene.load([&](Scene& loaded) { choose_effect(options.effect, loaded); });
+  options.scene.check_applicable(scene);
+  const Effect& effect = scene.effects.front();
   if (effect.kind == EffectKind::ro && effect.exponent_of_material)
     throw Error(ExitCode::usage, "points have no material: --exponent gives the one to use");
   if (effect.only_self)
     throw Error(ExitCode::scene, fmt::format("{}: occluders = \"self\": a probe's points belong to no group",
                                              scene.file.string()));
-  scene.effects = {effect};
   scene.denoise = false;
   scene.spp = 1;
   scene.directions = options.samples;
@@ -79,9 +83,7 @@ int probe(const ProbeOptions& options) {
     fmt::print("{:.9g},{:.9g},{}\n", film.value(i),
                standard_error(film, i, renderer.plan().effects[0].weight_bound),
                film.replicates[i] * film.per_replicate);
-  if (renderer.tracer().counters().rejected)
-    fmt::print(stderr, "warning: {} samples were not finite and were left out\n",
-               renderer.tracer().counters().rejected);
+  warn_of_rejected(renderer.tracer().counters().rejected);
   renderer.tracer().store_programs();
   return 0;
 }
@@ -92,7 +94,8 @@ void add_probe_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<ProbeOptions>();
   CLI::App* command =
       app.add_subcommand("probe", "Estimate AO or RO at the points of a CSV file; CSV on stdout");
-  options->scene.add_to(*command);
+  options->scene.add_to(*command, {EffectKind::ao, EffectKind::ro},
+                        {"--spp", "--directions", "--size", "--crop"});
   options->device.add_to(*command);
   command
       ->add_option(

@@ -53,6 +53,7 @@ void record_counts(SceneRenderer& renderer, const PictureRun& run, RunRecord& re
 
 void record_ssao(const SsaoLayers& layers, RunRecord& record) {
   record.ssao = layers.effects;
+  record.seconds.ssao = layers.seconds;
   if (record.plan.needs_opencl()) return;
   record.device.name = layers.device;
   record.device.platform_name = "OpenGL";

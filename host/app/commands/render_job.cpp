@@ -45,6 +45,8 @@ Job checked(Scene& scene, const RenderOptions& options) {
   if (!job.part_file.empty()) check_writable(job.part_file);
   job.output = job.shard ? job.part_file : options.picture_file();
   keep_inputs(scene, job.output);
+  static constexpr std::string_view written[] = {".exr"};
+  if (!job.shard) check_extension(job.output, written);
   check_writable(job.output);
   return job;
 }

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
+#include "base/to_stderr.hpp"
 #include "scene/effect_keys.hpp"
 #include "scene/names.hpp"
 
@@ -23,26 +25,31 @@ std::string samples_text(const Plan& plan, const StopTarget& stop) {
 void announce(const RunRecord& record, const StopTarget& stop) {
   const Plan& plan = record.plan;
   for (const EffectPlan& effect : plan.effects)
-    fmt::print(stderr, "{} {}x{}, {} triangles, {} x {} directions, {}, {}, {}\n", effect.label(),
-               plan.window.width(), plan.window.height(), record.triangles, samples_text(plan, stop),
-               plan.directions, name_of(plan.sampler), settings_text(effect.resolved()), record.device.name);
+    to_stderr("{} {}x{}, {}, {} x {}, {}, {}, {}\n", effect.label(), plan.window.width(),
+              plan.window.height(), counted(record.triangles, "triangle"), samples_text(plan, stop),
+              counted(plan.directions, "direction"), name_of(plan.sampler), settings_text(effect.resolved()),
+              record.device.name);
 }
 
 void announce_end(const RunRecord& r, const std::filesystem::path& output) {
   if (!r.plan.needs_opencl()) {
-    fmt::print(stderr, "{}: load {:.2f} s, render {:.2f} s, write {:.2f} s\n", output.string(),
-               r.seconds.load, r.seconds.render, r.seconds.write);
+    to_stderr("{}: load {:.2f} s, render {:.2f} s, write {:.2f} s\n", output.string(), r.seconds.load,
+              r.seconds.render, r.seconds.write);
     return;
   }
-  fmt::print(stderr,
-             "{}: load {:.2f} s, tree {:.2f} s, kernels {:.2f} s{}, render {:.2f} s ({:.1f} Mrays/s), write "
-             "{:.2f} s\n",
-             output.string(), r.seconds.load, r.seconds.bvh, r.seconds.compile,
-             r.kernels_from_cache ? " (cached)" : "", r.seconds.render,
-             double(r.counts.camera_rays + r.counts.occlusion_rays) / std::max(r.seconds.render, 1e-9) * 1e-6,
-             r.seconds.write);
-  if (r.counts.rejected)
-    fmt::print(stderr, "warning: {} samples were not finite and were left out\n", r.counts.rejected);
+  to_stderr(
+      "{}: load {:.2f} s, tree {:.2f} s, kernels {:.2f} s{}, render {:.2f} s ({:.1f} Mrays/s), {}write "
+      "{:.2f} s\n",
+      output.string(), r.seconds.load, r.seconds.bvh, r.seconds.compile,
+      r.kernels_from_cache ? " (cached)" : "", r.seconds.render,
+      double(r.counts.camera_rays + r.counts.occlusion_rays) / std::max(r.seconds.render, 1e-9) * 1e-6,
+      r.ssao.empty() ? "" : fmt::format("ssao {:.2f} s, ", r.seconds.ssao), r.seconds.write);
+  warn_of_rejected(r.counts.rejected);
+}
+
+void warn_of_rejected(std::uint64_t samples) {
+  if (samples)
+    to_stderr("warning: {} not finite and left out\n", counted(samples, "sample was", "samples were"));
 }
 
 int announce_error(const ErrorRecord& error, bool quiet) {
@@ -51,21 +58,20 @@ int announce_error(const ErrorRecord& error, bool quiet) {
   const std::string asked = error.asked > 0 ? fmt::format(" (asked: {}, {:.1f} % of the pixels done)",
                                                           error.asked, 100 * error.share_done)
                                             : "";
-  fmt::print(stderr, "{}standard error {:.5f}, at most {:.5f}{}\n", missed ? "nook: target missed: " : "",
-             error.reached, error.worst, asked);
+  to_stderr("{}standard error {:.5f}, at most {:.5f}{}\n", missed ? "nook: target missed: " : "",
+            error.reached, error.worst, asked);
   return missed ? int(ExitCode::target) : 0;
 }
 
 void announce_ssao(const RunRecord& record) {
   for (const SsaoRecord& drawn : record.ssao) {
-    fmt::print(
-        stderr, "{} {}x{}, {} triangles, {}, radius {:.6g} world units: {:.1f} ms a frame, {:.1f} fps (",
-        drawn.name, record.plan.width, record.plan.height, record.triangles, name_of(drawn.plan.method),
-        drawn.plan.radius, 1e3 * drawn.seconds_per_frame, 1 / std::max(drawn.seconds_per_frame, 1e-9));
+    to_stderr("{} {}x{}, {}, {}, radius {:.6g} world units: {:.1f} ms a frame, {:.1f} fps (", drawn.name,
+              record.plan.width, record.plan.height, counted(record.triangles, "triangle"),
+              name_of(drawn.plan.method), drawn.plan.radius, 1e3 * drawn.seconds_per_frame,
+              1 / std::max(drawn.seconds_per_frame, 1e-9));
     for (std::size_t i = 0; i < drawn.passes.size(); ++i)
-      fmt::print(stderr, "{}{} {:.1f}", i == 0 ? "" : ", ", drawn.passes[i].pass,
-                 1e3 * drawn.passes[i].seconds);
-    fmt::print(stderr, " ms)\n");
+      to_stderr("{}{} {:.1f}", i == 0 ? "" : ", ", drawn.passes[i].pass, 1e3 * drawn.passes[i].seconds);
+    to_stderr(" ms)\n");
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 
 #include "image/image.hpp"
@@ -13,6 +14,9 @@ void announce(const RunRecord& record, const StopTarget& stop);
 
 /// Says what it took.
 void announce_end(const RunRecord& record, const std::filesystem::path& output);
+
+/// Says, where there are any, that so many samples were left out.
+void warn_of_rejected(std::uint64_t samples);
 
 /// Says what a stop rule reached. Returns the exit code: ExitCode::target if more was asked for.
 int announce_error(const ErrorRecord& error, bool quiet);

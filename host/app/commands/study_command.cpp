@@ -11,7 +11,9 @@
 #include "app/interrupt.hpp"
 #include "app/options/loading.hpp"
 #include "app/options/scene_options.hpp"
+#include "base/counted.hpp"
 #include "base/error.hpp"
+#include "base/to_stderr.hpp"
 #include "base/version.hpp"
 #include "image/exr.hpp"
 #include "mesh/mesh_analysis.hpp"
@@ -110,13 +112,15 @@ int study(const StudyOptions& options) {
   const Clock::time_point start = Clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   const auto say = [&](const std::string& text) {
-    if (!options.quiet) fmt::print(stderr, "{:6.1f} s  {}\n", elapsed(), text);
+    if (!options.quiet) to_stderr("{:6.1f} s  {}\n", elapsed(), text);
   };
   const Scene scene = options.scene.load();
+  Scene studied = scene;
+  studied.effects.resize(1);
+  options.scene.check_applicable(studied);
   const PlotLibrary library = options.no_plots ? PlotLibrary{} : load_plot_library(options.chart_js);
   if (!options.no_plots && library.script.empty())
-    fmt::print(stderr,
-               "warning: tables instead of plots on the page: Debian's libjs-chart.js is not installed\n");
+    to_stderr("warning: tables instead of plots on the page: Debian's libjs-chart.js is not installed\n");
   const StudyChoice choice = choice_of(options, scene.effects.front());
   const fs::path folder =
       options.folder.empty() ? fs::path(options.scene.scene.stem().string() + "_study") : options.folder;
@@ -177,7 +181,7 @@ int study(const StudyOptions& options) {
       std::move(methods), std::move(reference),
       {.seconds = std::max(0.1, (1 - gallery_share) * options.budget - elapsed()), .seed = scene.seed + 1});
   made.resume(read_study_points(json, facts, identity));
-  say(fmt::format("{} methods, {:.0f} % of their runs are there", made.methods().size(),
+  say(fmt::format("{}, {:.0f} % of their runs are there", counted(made.methods().size(), "method"),
                   100 * made.progress()));
   double last_saved = elapsed(), last_said = elapsed();
   const bool finished = made.run([&](const Study& s) {
@@ -198,10 +202,10 @@ int study(const StudyOptions& options) {
                 fmt::format("interrupted; the same command goes on from {}", json.string()));
   say(fmt::format("{:.0f} % of the runs", 100 * made.progress()));
   if (const std::size_t missing = made.methods_without_runs())
-    fmt::print(stderr,
-               "warning: the budget of {} s ended before {} of {} methods had a run (building their kernels "
-               "counts); the same command goes on from {}\n",
-               options.budget, missing, made.methods().size(), json.string());
+    to_stderr(
+        "warning: the budget of {} s ended before {} of {} methods had a run (building their kernels "
+        "counts); the same command goes on from {}\n",
+        options.budget, missing, made.methods().size(), json.string());
 
   Gallery gallery;
   if (options.gallery) {
@@ -216,6 +220,12 @@ int study(const StudyOptions& options) {
   const fs::path page = folder / "index.html";
   write_study_page(page, made, facts, gallery, warp_patterns(device, exponent), library);
   say(fmt::format("{}", page.string()));
+  // Pictures of a size that means something, and a run of each method at least, take what they take.
+  if (elapsed() > 1.25 * options.budget + 1)
+    to_stderr(
+        "warning: the study took {:.0f} s, more than its budget of {} s: the reference, building the kernels "
+        "of {}, a run of each and the page's pictures take no less here\n",
+        elapsed(), options.budget, counted(made.methods().size(), "method"));
   return 0;
 }
 
@@ -225,7 +235,10 @@ void add_study_command(CLI::App& app, Command& chosen_command) {
   auto options = std::make_shared<StudyOptions>();
   CLI::App* command = app.add_subcommand(
       "study", "Measure what accuracy costs in time; writes study.json, study.csv and index.html");
-  options->scene.add_to(*command);
+  // It has its own samplers, distributions, methods and numbers of samples, and studies whole pictures.
+  options->scene.add_to(
+      *command, all_kinds,
+      {"--spp", "--directions", "--sampling", "--sampler", "--method", "--quality", "--crop"});
   options->device.add_to(*command);
   command->add_option("-o,--output", options->folder,
                       "Folder; default: SCENE_study here. A study that is there goes on");

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "app/options/key_flags.hpp"
 #include "base/error.hpp"
@@ -95,6 +96,15 @@ StopTarget RenderOptions::check(const Scene& loaded) const {
 
 std::filesystem::path RenderOptions::picture_file() const {
   return output.empty() ? fs::path(scene.scene).replace_extension(".exr") : output;
+}
+
+void check_extension(const fs::path& file, std::span<const std::string_view> written) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  if (!extension.empty() && std::find(written.begin(), written.end(), extension) == written.end())
+    throw Error(ExitCode::usage, fmt::format("{}: not a format that is written here ({})", file.string(),
+                                             fmt::join(written, ", ")));
 }
 
 void check_writable(const fs::path& file) {

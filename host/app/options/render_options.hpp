@@ -2,7 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/options/checkpoints.hpp"
@@ -31,6 +33,10 @@ struct RenderOptions {
   /// The EXR, if not a part is written.
   std::filesystem::path picture_file() const;
 };
+
+/// Throws Error(usage) for a name with an extension other than those that are written, e.g. {".exr"}; a name
+/// without any is taken.
+void check_extension(const std::filesystem::path& file, std::span<const std::string_view> written);
 
 /// Throws Error(output) unless a file could be made there: tried before the work, not after it.
 void check_writable(const std::filesystem::path& file);

@@ -11,7 +11,6 @@
 #include "base/error.hpp"
 #include "base/threads.hpp"
 #include "device/pocl_folder.hpp"
-#include "image/exr.hpp"
 #include "mesh/load_mesh.hpp"
 #include "plan/plan.hpp"
 #include "scene/effect_keys.hpp"
@@ -61,14 +60,19 @@ void for_each_flag(Use use) {
 
 }  // namespace
 
-void SceneOptions::add_to(CLI::App& command) {
+void SceneOptions::add_to(CLI::App& command, EffectKinds kinds, const std::set<std::string_view>& left_out) {
   command
       .add_option("scene", scene,
                   "Scene file (TOML), a bare mesh (.obj, .ply, .stl, each also .gz), or an .exr picture: the "
                   "scene that made it")
       ->required();
-  for_each_flag([&](const KeyInfo& key) { add_key_flag(command, key, texts[std::string(key.flag)]); });
-  command.add_option("--size", size, "Image size, e.g. 800x600")->envname("NOOK_SIZE");
+  for_each_flag([&](const KeyInfo& key) {
+    if (key.readers.intersects(kinds) && !left_out.contains(key.flag))
+      add_key_flag(command, key, texts[std::string(key.flag)]);
+  });
+  if (!left_out.contains("--size"))
+    command.add_option("--size", size, "Image size, e.g. 800x600")->envname("NOOK_SIZE");
+  if (left_out.contains("--crop")) return;
   command.add_option("--crop", crop, "Render pixels x0 <= x < x1, y0 <= y < y1 only: x0,x1,y0,y1")
       ->delimiter(',')
       ->expected(4)
@@ -102,11 +106,12 @@ void SceneOptions::apply(Effect& effect) const {
   }
 }
 
-Scene SceneOptions::load() const {
+Scene SceneOptions::load(const std::function<void(Scene&)>& choose) const {
   if (is_unread_mesh(scene)) refuse_format(scene);
   Scene loaded = is_picture(scene) ? scene_of_picture(scene)
                  : is_mesh(scene)  ? scene_of_mesh(scene)
                                    : load_scene(scene);
+  if (choose) choose(loaded);
   for (const Key<Scene>& key : renderer_keys())
     if (has(std::string(key.info.flag)))
       key.field.set(loaded, *parse_value(texts.at(std::string(key.info.flag)), key.info.domain));
@@ -141,16 +146,16 @@ void DeviceOptions::add_to(CLI::App& command) {
   command
       .add_option("--device", selector, "cpu, gpu, PLATFORM:DEVICE, or a part of a name (see nook devices)")
       ->envname("NOOK_DEVICE");
-  command.add_option("--threads", threads, "Threads to use, of a CPU device and of nook itself; 0: all")
+  command
+      .add_option("--threads", threads,
+                  "Threads to use, of a CPU device and of nook itself; 0: one for each processor it may use")
       ->envname("NOOK_THREADS");
 }
 
 void DeviceOptions::prepare(bool opencl) const {
-  limit_exr_threads(threads);
   limit_own_threads(threads);
-  if (!opencl) return;
-  limit_threads(threads);
-  give_pocl_its_own_folder();
+  limit_device_threads(threads);
+  if (opencl) prepare_for_pocl();
 }
 
 Device DeviceOptions::open() const {

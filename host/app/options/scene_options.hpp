@@ -3,9 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "device/device.hpp"
@@ -22,11 +25,13 @@ struct SceneOptions {
   std::optional<std::string> size;
   std::vector<int> crop;
 
-  /// Adds SCENE and the options to a subcommand.
-  void add_to(CLI::App& command);
-  /// Loads the scene (TOML, or a bare OBJ), applies the overrides, validates. Throws Error(usage) or
-  /// Error(scene).
-  Scene load() const;
+  /// Adds SCENE and the options to a subcommand: those of keys that effects of `kinds` read, less `left_out`
+  /// ("--spp"): what a command does not read is neither in its help nor taken.
+  void add_to(CLI::App& command, EffectKinds kinds = all_kinds,
+              const std::set<std::string_view>& left_out = {});
+  /// Loads the scene (TOML, a bare mesh, a picture), lets `choose` change it, applies the overrides,
+  /// validates. Throws Error(usage) or Error(scene).
+  Scene load(const std::function<void(Scene&)>& choose = {}) const;
   /// Sets what the flags say of an effect of its type. Throws Error(usage) for settings that exclude one
   /// another.
   void apply(Effect& effect) const;

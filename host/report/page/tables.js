@@ -50,11 +50,17 @@ function efficiencyTable(target, methods) {
       r.expected ? short(r.expected) : '–', r.expected ? (r.efficiency / r.expected).toFixed(2) : '–']));
 }
 
+// A rule takes a least number of samples before it may stop: errors that they reach already cost the same.
+function costNote(points, p) {
+  const same = points.filter(q => q.level < p.level && q.rays > 0 && Math.abs(q.rays / p.rays - 1) < .02);
+  return same.length ? `as many rays as ${Math.min(...same.map(q => q.level))}: the least that the rule takes reaches both` : '';
+}
+
 function adaptiveTable(target, methods) {
   const rows = methods.filter(m => m.family === 'adaptive').flatMap(m => m.points.map(p =>
-    [named(m), p.level, short(p.error_claimed), short(p.rmse), percent(p.covered), signed(p.mean_error), short(p.wall_seconds) + ' s', p.runs]));
+    [named(m), p.level, short(p.error_claimed), short(p.rmse), percent(p.covered), signed(p.mean_error), short(p.wall_seconds) + ' s', p.runs, costNote(m.points, p)]));
   if (!rows.length) return;
-  table(target, ['rule', 'error asked', 'claimed', 'reached (RMSE)', 'covered', 'mean error', 'time', 'runs'], rows);
+  table(target, ['rule', 'error asked', 'claimed', 'reached (RMSE)', 'covered', 'mean error', 'time', 'runs', 'cost'], rows);
   target.prepend(element('h3', {}, 'Adaptive: error asked and error reached'));
 }
 
