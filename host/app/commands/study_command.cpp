@@ -176,7 +176,7 @@ int study(const StudyOptions& options) {
 
   std::string left_out;
   std::vector<StudyMethod> methods = at_size.methods(choice, &left_out);
-  if (!left_out.empty()) fmt::print(stderr, "warning: {}\n", left_out);
+  if (!left_out.empty()) to_stderr("warning: {}\n", left_out);
   Study made(
       std::move(methods), std::move(reference),
       {.seconds = std::max(0.1, (1 - gallery_share) * options.budget - elapsed()), .seed = scene.seed + 1});
