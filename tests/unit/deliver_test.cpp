@@ -82,7 +82,7 @@ TEST(Deliver, PacksLinksWithinUnderTheirNames) {
   std::filesystem::create_symlink("shared/a.h", src / "b.h");
   std::filesystem::create_directory_symlink("shared", src / "twin");
   const ProgramResult run = deliver(folder, config(entry("offline/small_ao.exr")));
-  ASSERT_EQ(run.exit_code, 0) << run.err;
+  ASSERT_EQ(run.code, 0) << run.err;
   const std::vector<std::string> expected = {"config.json", "src/b.h", "src/shared/a.h", "src/twin/a.h",
                                              "offline/small_ao.exr"};
   EXPECT_EQ(names_in(folder / "delivery/123_a3.zip"), expected);
@@ -106,7 +106,7 @@ TEST(Deliver, RefusesLinksThatLeadElsewhere) {
       std::filesystem::create_directory_symlink(std::filesystem::temp_directory_path(), link);
     }
     const ProgramResult run = deliver(folder, config(entry("offline/small_ao.exr")));
-    EXPECT_EQ(run.exit_code, 3) << kind << ": " << run.err;
+    EXPECT_EQ(run.code, 3) << kind << ": " << run.err;
     EXPECT_NE(run.err.find(link.string() + ": "), std::string::npos) << kind << ": " << run.err;
     EXPECT_FALSE(std::filesystem::exists(folder / "delivery")) << kind;
   }

@@ -230,7 +230,7 @@ TEST(Plan, OfSsaoAloneHasNoCameraRays) {
   const auto scene =
       test::write_small_scene(folder, "scene.toml", "[renderer]\nrealtime = true\ntype = \"ssao\"\n");
   const test::ProgramResult run = test::run_nook(folder, "plan '" + scene.string() + "'");
-  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.out.find("camera ray"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("48x36 pixels, 14 triangles\n"), std::string::npos) << run.out;
 }
