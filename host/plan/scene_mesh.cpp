@@ -69,6 +69,9 @@ Frame frame_of(const Scene& scene, const Files& files) {
       hi = glm::max(hi, placed);
     }
   }
+  if (!finite(vec3(lo)) || !finite(vec3(hi)))
+    throw Error(ExitCode::scene,
+                scene.file.string() + ": an instance's vertices are beyond the range of floats");
   return frame_for(lo, hi);
 }
 

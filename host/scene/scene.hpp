@@ -94,7 +94,7 @@ inline bool is_surface(EffectKind kind) {
 struct Instance {
   std::filesystem::path mesh_file;
   dvec3 translate{0};  ///< world units
-  vec3 rotate{0};     ///< degrees about x, then y, then z
+  vec3 rotate{0};      ///< degrees about x, then y, then z
   vec3 scale{1};
 };
 

@@ -74,7 +74,8 @@ INLINE void shading_normal(const SurfaceHits* hits, uint k, Vector geometric, Ve
   normal->z = smooth ? n.z * inverse : geometric.z;
 }
 
-// Of the first `count` hits of rays from `eye`; of those behind them, and of rays that met nothing, any values. clear_hits() before the first.
+// Of the first `count` hits of rays from `eye`; of those behind them, and of rays that met nothing, any values. clear_hits() before
+// the first.
 INLINE void make_surface_frames(const SurfaceHits* hits, Vector eye, const RayDirections* d, const float* t, uint count,
                                 SurfaceFrames* frames) {
   for (uint first = 0; first < count; first += RAYS_TOGETHER)

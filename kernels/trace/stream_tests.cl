@@ -120,7 +120,8 @@ INLINE void leaf_nearer(WITH_CUT_PARAMS TREE_LEAF* leaf, const StreamRays* r, ui
   for (; lanes; lanes &= lanes - 1) {
     const uint lane = LOWEST_BIT(lanes);
     const uint id = leaf->triangle[lane];
-    const bool nearer = (distances[lane] > 0.0f && distances[lane] < *t) || (distances[lane] == *t && *triangle != NO_TRIANGLE && id < *triangle);
+    const bool nearer = (distances[lane] > 0.0f && distances[lane] < *t) ||
+                        (distances[lane] == *t && *triangle != NO_TRIANGLE && id < *triangle);
     if (!nearer || IN_HOLE(STORED_TRIANGLE(leaf, lane), lane_wb[lane] / lane_det[lane], lane_wc[lane] / lane_det[lane])) continue;
     *t = distances[lane];
     *triangle = id;

@@ -8,7 +8,7 @@
   FIELD(PlacedMesh, mesh_triangle) FIELD(PlacedMesh, root) FIELD(PlacedMesh, meshes)                                       \
   STRUCT(CutTriangle) FIELD(CutTriangle, uv) FIELD(CutTriangle, map) FIELD(CutTriangle, reserved)                          \
   STRUCT(OpacityMapPlace) FIELD(OpacityMapPlace, first) FIELD(OpacityMapPlace, width) FIELD(OpacityMapPlace, height)       \
-  FIELD(OpacityMapPlace, reserved)                                                                                         \
+  FIELD(OpacityMapPlace, clamped)                                                                                          \
   STRUCT(CameraParams) FIELD(CameraParams, eye) FIELD(CameraParams, width) FIELD(CameraParams, right)                      \
   FIELD(CameraParams, height) FIELD(CameraParams, up) FIELD(CameraParams, tan_half_fov_x) FIELD(CameraParams, forward)     \
   FIELD(CameraParams, tan_half_fov_y)                                                                                      \

@@ -97,7 +97,7 @@ TEST(InstancesOfTheProgram, ThePlanSaysWhyTheyAreCopies) {
             std::string::npos)
       << left_out("auto", effects);
   EXPECT_NE(left_out("copies", effects).find("they are copies: the scene asks for them"), std::string::npos);
-  EXPECT_NE(left_out("tree", effects).find("over 6 instances that stand for 72 triangles"), std::string::npos)
+  EXPECT_NE(left_out("tree", effects).find("over 6 instances, 72 triangles in all"), std::string::npos)
       << left_out("tree", effects);
   Scene scene;
   scene.effects = {Effect{}};

@@ -54,7 +54,7 @@ TEST(SsaoView, FrameIsOrthonormalAndLooksAtTheTarget) {
   EXPECT_NEAR(at.x, 0, 1e-6);
   EXPECT_NEAR(at.y, 0, 1e-6);
   EXPECT_NEAR(at.z, -glm::length(oblique.at - oblique.eye), 1e-5);
-  EXPECT_GT(view.to_view(oblique.eye + oblique.up).y, 0);
+  EXPECT_GT(view.to_view(oblique.eye + dvec3(oblique.up)).y, 0);
   const vec3 p(3, -1, 2);
   EXPECT_LT(glm::length(view.to_world(view.to_view(p)) - p), 1e-5f);
 }
