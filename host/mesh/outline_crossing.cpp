@@ -24,7 +24,7 @@ bool apart(const Box2& a, const Box2& b) {
 class Crossings {
  public:
   explicit Crossings(std::span<const dvec2> outline)
-      : outline_(outline), work_(100 * outline.size() + 10000) {
+      : outline_(outline), tolerance_(outline_tolerance(outline)), work_(100 * outline.size() + 10000) {
     leaves_ = 1;
     while (leaves_ < outline.size()) leaves_ *= 2;
     boxes_.resize(2 * leaves_, Box2{dvec2(1), dvec2(-1)});
