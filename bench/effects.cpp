@@ -208,7 +208,7 @@ void measure(const Settings& settings, const Device& device, const Case& one) {
                                   {"rays", b.rays},
                                   {"rays_of_plain", a.rays}});
   if (settings.check && one.control && !(low >= 0.98 && high <= 1.02))
-    throw Error(ExitCode::internal,
+    throw Error(ErrorKind::internal,
                 one.name + ": what is switched off takes time, or the machine is too busy to tell");
 }
 
@@ -225,7 +225,7 @@ void run(const Settings& settings) {
     any = true;
     measure(settings, device, one);
   }
-  if (!any) throw Error(ExitCode::usage, "--cases: no case has such a name");
+  if (!any) throw Error(ErrorKind::usage, "--cases: no case has such a name");
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ void run(const Settings& s) {
     embree_memory = std::max(embree_memory, b.peak_bytes);
     const nlohmann::json stats = read_json(files / "stats.json");
     if (stats["kernels_from_cache"] == s.cold)
-      throw Error(ExitCode::internal, "the kernel cache is not in the state that was to be measured");
+      throw Error(ErrorKind::internal, "the kernel cache is not in the state that was to be measured");
     if (our_seconds.back() == *std::min_element(our_seconds.begin(), our_seconds.end()))
       stages = stats["seconds"];
   }

@@ -43,7 +43,7 @@ void write_forest(const std::string& path, unsigned count, unsigned spp, const s
       << "up = [0.0, 1.0, 0.0]\nfov = 40.0\n[film]\nwidth = 512\nheight = 384\n[renderer]\ntype = "
          "\"ao\"\nspp = "
       << spp << "\nmax_distance = 3.0\nside = \"viewer\"\n";
-  if (!out.flush()) throw Error(ExitCode::output, "cannot write " + path);
+  if (!out.flush()) throw Error(ErrorKind::output, "cannot write " + path);
 }
 
 struct Side {
@@ -97,14 +97,14 @@ void measure(const Settings& s, unsigned count) {
   if (!s.only_trees) {
     report(s, count, "copies", copies);
     const Image a = read_exr(files / "copies.exr"), b = read_exr(files / "tree.exr");
-    if (red(a) != red(b)) throw Error(ExitCode::internal, "the pictures of copies and trees differ");
+    if (red(a) != red(b)) throw Error(ErrorKind::internal, "the pictures of copies and trees differ");
   }
   report(s, count, "trees", trees);
 }
 
 void run(const Settings& s) {
   if (!std::ifstream(mesh_file))
-    throw Error(ExitCode::scene, std::string(mesh_file) + " is missing: build the target nook_scene_oak");
+    throw Error(ErrorKind::scene, std::string(mesh_file) + " is missing: build the target nook_scene_oak");
   std::printf(
       "| oaks | as | MB | load | tree | kernels | CPU seconds in all |\n|---|---|---|---|---|---|---|\n");
   for (const unsigned count : s.counts) measure(s, count);

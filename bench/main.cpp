@@ -36,6 +36,6 @@ int main(int argc, char** argv) {
     return app.exit(e);
   } catch (const nook::Error& e) {
     std::fprintf(stderr, "nook_bench: %s\n", e.what());
-    return int(e.code());
+    return int(e.kind());
   }
 }

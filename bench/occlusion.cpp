@@ -126,7 +126,7 @@ void run(const Settings& s) {
       tried[name] = double(work.rays) / seconds * 1e-6;
       if (seconds < best_seconds) best_seconds = seconds, best = name, best_variant = &v, best_scene = e;
     }
-  if (!best_variant) throw Error(ExitCode::usage, "--against '" + s.against + "': no such variant");
+  if (!best_variant) throw Error(ErrorKind::usage, "--against '" + s.against + "': no such variant");
   for (unsigned i = 0; i < s.rounds; ++i) {
     ours.push_back(work.ours(runner));
     embree.push_back(work.embree(*best_variant, *best_scene));

@@ -150,7 +150,7 @@ struct Option {
 std::string not_watertight(std::string source) {
   const auto replace = [&](const std::string& find, const std::string& by) {
     const std::size_t at = source.find(find);
-    if (at == std::string::npos) throw Error(ExitCode::internal, "`" + find + "` is not in the kernels");
+    if (at == std::string::npos) throw Error(ErrorKind::internal, "`" + find + "` is not in the kernels");
     source.replace(at, find.size(), by);
   };
   if (source.find("__kernel void occlusion(") == std::string::npos) return source;  // primary.cl
@@ -255,7 +255,7 @@ void run_options(const Settings& s) {
   for (Candidate& c : candidates) c.run(pixels);  // compiles, and touches memory
   for (std::size_t i = 0; i < all.size(); ++i)
     if (std::abs(candidates[i].sum / candidates[0].sum - 1) > all[i].most_difference)
-      throw Error(ExitCode::internal, std::string(all[i].name) + ": the picture is another one");
+      throw Error(ErrorKind::internal, std::string(all[i].name) + ": the picture is another one");
   for (unsigned i = 0; i < s.rounds; ++i)
     for (Candidate& c : candidates) {
       const double base = candidates[0].run(pixels);

@@ -12,7 +12,7 @@ in vec3 view_position;
 // front face and -1 for a back face. PEEL: inverse depth, negative for a back face, in each channel.
 layout(location = 0) out vec4 surface;
 #if NORMAL
-layout(location = 1) out vec2 normal;  // view space, octahedral; as the path tracer's shading normal: never flipped
+layout(location = 1) out vec2 normal;  // view space, octahedral; as the ray tracer's shading normal: never flipped
 #endif
 #if EXACT
 layout(location = 2) out vec4 position;      // view space; w = 1 marks coverage

@@ -21,19 +21,7 @@
 
 // The kernels' random numbers, compiled as C++: both sides draw the same points.
 namespace nook::bench::samples {
-using uint = std::uint32_t;
-using ulong = std::uint64_t;
-struct float2 {
-  float x, y;
-};
-struct uint4 {
-  uint x, y, z, w;
-};
-using std::fmin;
-inline uint clz(uint x) {
-  return x == 0u ? 32u : static_cast<uint>(__builtin_clz(x));
-}
-#define __constant static const
+#include "tests/support/opencl_as_cpp.hpp"
 #define SAMPLER 3
 #include "kernels/sample/sampler.cl"
 #undef __constant
@@ -208,7 +196,7 @@ void render(const std::string& scene_file, const std::string& output, unsigned t
   const Plan plan = make_plan(scene, mesh);
   if (plan.effects.size() != 1 || plan.effects[0].effect.kind != EffectKind::ao ||
       plan.effects[0].effect.sampling != Sampling::cosine || plan.sampler != Sampler::sobol)
-    throw Error(ExitCode::usage, scene_file + ": AO by cosine-distributed Sobol samples alone is supported");
+    throw Error(ErrorKind::usage, scene_file + ": AO by cosine-distributed Sobol samples alone is supported");
   const EmbreeScene embree(mesh, robust, threads);
   std::vector<float> values = Renderer(plan, mesh, embree).run(threads);
   for (float& value : values) value /= float(plan.spp * plan.directions);
@@ -236,7 +224,7 @@ int main(int argc, char** argv) {
     return app.exit(e);
   } catch (const nook::Error& e) {
     std::fprintf(stderr, "nook_bench_embree_render: %s\n", e.what());
-    return int(e.code());
+    return int(e.kind());
   }
   return 0;
 }

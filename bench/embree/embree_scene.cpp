@@ -10,7 +10,7 @@ namespace nook::bench {
 
 EmbreeScene::EmbreeScene(const TriangleMesh& mesh, bool robust, unsigned threads) {
   device_ = rtcNewDevice(threads ? ("threads=" + std::to_string(threads)).c_str() : nullptr);
-  if (!device_) throw Error(ExitCode::device, "Embree cannot be started");
+  if (!device_) throw Error(ErrorKind::device, "Embree cannot be started");
   scene_ = rtcNewScene(device_);
   rtcSetSceneFlags(scene_, robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
   rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_MEDIUM);

@@ -44,7 +44,7 @@ Scene bench_scene(const std::string& name) {
                                                            {"spaceship", "spaceship_ssao"},
                                                            {"room", "room_ao"}};
   const auto found = files.find(name);
-  if (found == files.end()) throw Error(ExitCode::usage, "--scenes: unknown scene '" + name + "'");
+  if (found == files.end()) throw Error(ErrorKind::usage, "--scenes: unknown scene '" + name + "'");
   return load_scene(std::string(NOOK_SOURCE_DIR) + "/scenes/" + found->second + ".toml");
 }
 
@@ -64,7 +64,7 @@ std::vector<Variant> variants(const Settings& s) {
   for (const std::string& label : s.methods) {
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const Variant& v) { return v.label == label; });
-    if (found == all.end()) throw Error(ExitCode::usage, "--methods: unknown '" + label + "'");
+    if (found == all.end()) throw Error(ErrorKind::usage, "--methods: unknown '" + label + "'");
     chosen.push_back(*found);
   }
   return chosen;
@@ -265,7 +265,7 @@ void add_ssao(CLI::App& app) {
                       "Write reference, SSAO and error side by side to this folder");
   command->callback([settings] {
     if (settings->equal_time && !settings->reference)
-      throw Error(ExitCode::usage, "--equal-time: needs the reference");
+      throw Error(ErrorKind::usage, "--equal-time: needs the reference");
     for (const std::string& scene : settings->scenes) run_scene(*settings, scene);
   });
 }

@@ -48,7 +48,7 @@ ReferenceTracer::ReferenceTracer(const TriangleMesh& mesh) : state_(std::make_un
   state_->mesh = &mesh;
   state_->offset = offset_share * mesh.bounds.bounding_radius();
   state_->device = rtcNewDevice(nullptr);
-  if (!state_->device) throw Error(ExitCode::internal, "cannot make an Embree device");
+  if (!state_->device) throw Error(ErrorKind::internal, "cannot make an Embree device");
   state_->scene = rtcNewScene(state_->device);
   rtcSetSceneFlags(state_->scene, RTC_SCENE_FLAG_ROBUST);
   RTCGeometry geometry = rtcNewGeometry(state_->device, RTC_GEOMETRY_TYPE_TRIANGLE);

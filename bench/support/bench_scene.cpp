@@ -168,7 +168,7 @@ BenchScene made(const std::string& name) {
     return scene;
   }
   if (std::filesystem::exists(name)) return from_file(std::filesystem::path(name).stem(), name);
-  throw Error(ExitCode::usage,
+  throw Error(ErrorKind::usage,
               "unknown scene '" + name + "': bunny, room, cornell, spaceship or an OBJ file");
 }
 

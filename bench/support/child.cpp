@@ -69,22 +69,22 @@ ChildTimes run_child(const std::vector<std::string>& command,
   if (posix_spawn(&pid, arguments[0].c_str(), nullptr, nullptr, pointers(arguments).data(),
                   pointers(variables).data()) != 0 ||
       !wait_for(pid, status, usage) || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    throw Error(ExitCode::internal, command[0] + " cannot be started, or failed");
+    throw Error(ErrorKind::internal, command[0] + " cannot be started, or failed");
   ChildTimes times;
   if (!(std::ifstream(report) >> times.wall_seconds >> times.cpu_seconds >> times.peak_bytes))
-    throw Error(ExitCode::internal, command[0] + " ran, but its times are not known");
+    throw Error(ErrorKind::internal, command[0] + " ran, but its times are not known");
   return times;
 }
 
 std::filesystem::path program_beside(const std::string& name) {
   const std::filesystem::path path = std::filesystem::read_symlink("/proc/self/exe").parent_path() / name;
-  if (!std::filesystem::exists(path)) throw Error(ExitCode::usage, path.string() + ": is not built");
+  if (!std::filesystem::exists(path)) throw Error(ErrorKind::usage, path.string() + ": is not built");
   return path;
 }
 
 TemporaryFolder::TemporaryFolder() {
   std::string name = (std::filesystem::temp_directory_path() / "nook-bench-XXXXXX").string();
-  if (!mkdtemp(name.data())) throw Error(ExitCode::output, name + ": cannot be made");
+  if (!mkdtemp(name.data())) throw Error(ErrorKind::output, name + ": cannot be made");
   path_ = name;
 }
 

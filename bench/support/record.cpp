@@ -54,7 +54,7 @@ void append_record(const std::string& file, nlohmann::json record) {
   record["compiler"] = __VERSION__;
   std::ofstream out(file, std::ios::app);
   out << record.dump() << '\n';
-  if (!out.flush()) throw Error(ExitCode::output, "cannot write " + file);
+  if (!out.flush()) throw Error(ErrorKind::output, "cannot write " + file);
 }
 
 }  // namespace nook::bench

@@ -12,7 +12,7 @@ namespace {
 void write_text(const std::string& path, const std::string& text) {
   std::ofstream out(path, std::ios::binary);
   out << text;
-  if (!out.flush()) throw Error(ExitCode::output, path + ": cannot be written");
+  if (!out.flush()) throw Error(ErrorKind::output, path + ": cannot be written");
 }
 
 }  // namespace

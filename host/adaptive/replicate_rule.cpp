@@ -7,10 +7,10 @@ namespace nook {
 namespace {
 
 constexpr unsigned degrees_of_neighbours = 8;
-// A pixel's own variance may be at most so many times the one asked for. A factor of 2 lets errors of single
-// pixels be 1.5 times too large. A factor of 1 takes 3 to 12 % more samples than that and, since the decision
-// then follows the estimate's own samples, biases values as small as the error by .16 standard errors. This
-// one takes 1 to 4 % more, and biases none by .1.
+// The most by which a pixel's own variance may exceed the one asked for, as a factor. A factor of 2 lets
+// errors of single pixels be 1.5 times too large. A factor of 1 takes 3 to 12 % more samples than that and,
+// since the decision then follows the estimate's own samples, biases values as small as the error by .16
+// standard errors. This one takes 1 to 4 % more, and biases none by .1.
 constexpr double own_excess = 1.2;
 // The squared error of an Owen-scrambled sequence falls about like n^-1.25 in four dimensions with edges.
 constexpr double rate = 1.25;

@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "app/commands.hpp"
+#include "app/exit_code.hpp"
 #include "base/error.hpp"
 #include "base/to_stderr.hpp"
 
@@ -75,7 +76,7 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     return report(e.what(), ExitCode::usage);
   } catch (const nook::Error& e) {
-    return report(e.what(), e.code());
+    return report(e.what(), exit_code(e.kind()));
   } catch (const std::bad_alloc&) {
     return report("out of memory", ExitCode::device);
   } catch (const std::system_error& e) {

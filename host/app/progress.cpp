@@ -17,7 +17,7 @@ ProgressMode parse_progress(const std::string& text) {
   if (text == "plain") return ProgressMode::plain;
   if (text == "json") return ProgressMode::json;
   if (text == "none") return ProgressMode::none;
-  throw Error(ExitCode::usage,
+  throw Error(ErrorKind::usage,
               fmt::format("--progress: unknown value '{}', known: auto, plain, json, none", text));
 }
 

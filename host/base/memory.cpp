@@ -33,8 +33,8 @@ void check_memory(std::uint64_t bytes, const std::string& what, const std::strin
   const std::uint64_t free = available_memory();
   constexpr double gibibyte = double(1u << 30);
   if (bytes > free)
-    throw Error(ExitCode::device, fmt::format("{} needs {:.1f} GiB of memory, {:.1f} GiB are free: {}", what,
-                                              double(bytes) / gibibyte, double(free) / gibibyte, remedy));
+    throw Error(ErrorKind::device, fmt::format("{} needs {:.1f} GiB of memory, {:.1f} GiB are free: {}", what,
+                                               double(bytes) / gibibyte, double(free) / gibibyte, remedy));
 }
 
 }  // namespace nook

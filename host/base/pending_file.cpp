@@ -52,7 +52,7 @@ PendingFile::PendingFile(const fs::path& path) : path_(path), target_(path) {
   if (status.type() == fs::file_type::none) fail(error.value());
   if (fs::is_directory(status)) fail(EISDIR);
   if (fs::exists(status) && !fs::is_regular_file(status))
-    throw Error(ExitCode::output, fmt::format("cannot write {}: not a regular file", path_.string()));
+    throw Error(ErrorKind::output, fmt::format("cannot write {}: not a regular file", path_.string()));
   if (target_.filename().empty()) fail(EISDIR);
 
   stream_ = open_temporary();
@@ -138,7 +138,7 @@ void PendingFile::commit() {
 void PendingFile::fail(int error) {
   error_ = error;
   discard();  // a constructor that throws runs no destructor
-  throw Error(ExitCode::output,
+  throw Error(ErrorKind::output,
               fmt::format("cannot write {}: {}", path_.string(), std::generic_category().message(error)));
 }
 

@@ -79,8 +79,8 @@ Bvh within_memory(const TriangleMesh& mesh, const Build& build) {
   try {
     return build();
   } catch (const std::bad_alloc&) {
-    throw Error(ExitCode::device, "not enough memory to build the tree over " +
-                                      std::to_string(mesh.triangles.size()) + " triangles");
+    throw Error(ErrorKind::device, "not enough memory to build the tree over " +
+                                       std::to_string(mesh.triangles.size()) + " triangles");
   }
 }
 
@@ -88,9 +88,9 @@ Bvh within_memory(const TriangleMesh& mesh, const Build& build) {
 
 void check_bvh_size(std::size_t nodes, std::size_t leaves) {
   if (std::max(nodes, leaves) > BVH_FIRST(~0u))
-    throw Error(ExitCode::device, "the mesh is too large: its tree has " + std::to_string(nodes) +
-                                      " nodes and " + std::to_string(leaves) + " leaves, more than " +
-                                      std::to_string(BVH_FIRST(~0u)));
+    throw Error(ErrorKind::device, "the mesh is too large: its tree has " + std::to_string(nodes) +
+                                       " nodes and " + std::to_string(leaves) + " leaves, more than " +
+                                       std::to_string(BVH_FIRST(~0u)));
 }
 
 Bvh build_bvh(const TriangleMesh& mesh, const BvhOptions& options) {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "bvh/choices.hpp"
+#include "bvh/triangle_leaf.hpp"
 
 namespace nook {
 namespace {
@@ -22,25 +23,8 @@ BvhNode<Width> empty_node() {
   return node;
 }
 
-TriangleLeaf empty_leaf() {
-  TriangleLeaf leaf = {};
-  std::fill_n(leaf.triangle, BVH_LEAF_WIDTH, BVH_EMPTY);
-  return leaf;
-}
-
-/// The largest side of the box about a lane's triangle.
-float extent_of(const TriangleLeaf& leaf, unsigned lane) {
-  float extent = 0;
-  for (const auto& p : leaf.p) {
-    const auto [least, most] =
-        std::minmax({p[BVH_CORNER(0, lane)], p[BVH_CORNER(1, lane)], p[BVH_CORNER(2, lane)]});
-    extent = std::max(extent, most - least);
-  }
-  return extent;
-}
-
 /// Nodes and leaves: places in the arrays, or how many there are below a node.
-struct Place {
+struct Places {
   std::uint32_t nodes = 0, leaves = 0;
 };
 
@@ -49,7 +33,7 @@ struct Job {
   std::uint32_t root;    // of the binary tree
   unsigned depth;        // of the wide node: 1 for the tree's root
   std::uint32_t target;  // the wide node's place
-  Place next;            // where its descendants' places begin
+  Places next;           // where its descendants' places begin
 };
 
 template <unsigned Width>
@@ -73,12 +57,12 @@ class Collapser {
       for (std::size_t i = begin; i < end; ++i) counts_[i] = below(tasks_[i]);
     });
     std::size_t task = 0;
-    Place all = below_above(0, task);
+    Places all = below_above(0, task);
     ++all.nodes;
     check_bvh_size(all.nodes, all.leaves);
     nodes_.resize(all.nodes);
     bvh_.leaves.resize(all.leaves);
-    Place next = {1, 0};
+    Places next = {1, 0};
     fill_above({0, 1, 0, {}}, next);
     std::vector<Bvh::Statistics> statistics(jobs_.size());
     pool_.for_ranges(jobs_.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -126,31 +110,31 @@ class Collapser {
   }
 
   /// What is below the wide node that stands for the subtree.
-  Place below(std::uint32_t root) const {
+  Places below(std::uint32_t root) const {
     const Choices::Children children = children_of(root);
-    Place sum;
+    Places sum;
     for (std::uint32_t i = 0; i < children.count; ++i) {
       if (choices_.is_leaf(children.roots[i])) {
         ++sum.leaves;
         continue;
       }
-      const Place more = below(children.roots[i]);
+      const Places more = below(children.roots[i]);
       sum.nodes += 1 + more.nodes;
       sum.leaves += more.leaves;
     }
     return sum;
   }
 
-  Place below_above(std::uint32_t root, std::size_t& task) const {
+  Places below_above(std::uint32_t root, std::size_t& task) const {
     if (is_task(root)) return counts_[task++];
     const Choices::Children children = sorted_children(root);
-    Place sum;
+    Places sum;
     for (std::uint32_t i = 0; i < children.count; ++i) {
       if (choices_.is_leaf(children.roots[i])) {
         ++sum.leaves;
         continue;
       }
-      const Place more = below_above(children.roots[i], task);
+      const Places more = below_above(children.roots[i], task);
       sum.nodes += 1 + more.nodes;
       sum.leaves += more.leaves;
     }
@@ -169,34 +153,14 @@ class Collapser {
     return children;
   }
 
-  TriangleLeaf make_leaf(std::uint32_t root) const {
-    const BinaryNode& node = tree_.nodes[root];
-    TriangleLeaf leaf = empty_leaf();
-    for (unsigned i = 0; i < node.count; ++i) {
-      const TrianglePair& pair = tree_.pairs[node.first + i];
-      leaf.triangle[i] = pair.first;
-      leaf.triangle[i + BVH_LEAF_PAIRS] = pair.second;
-      const auto& abc = mesh_.triangles[pair.first];
-      const std::uint32_t d = pair.second == BVH_EMPTY ? abc[2] : mesh_.triangles[pair.second][1];
-      for (int axis = 0; axis < 3; ++axis) {
-        for (int corner = 0; corner < 3; ++corner)
-          leaf.p[axis][BVH_CORNER(corner, i)] = mesh_.positions[abc[corner]][axis];
-        leaf.p[axis][BVH_CORNER(1, i + BVH_LEAF_PAIRS)] = mesh_.positions[d][axis];
-      }
-    }
-    for (unsigned lane = 0; lane < BVH_LEAF_WIDTH; ++lane)
-      leaf.near_height[lane] = NEAR_HEIGHT(extent_of(leaf, lane));
-    return leaf;
-  }
-
   /// Writes the job's node and the leaves among its children; returns the children that are nodes.
-  std::vector<Job> fill_node(const Job& job, Place& next, Bvh::Statistics& statistics) {
+  std::vector<Job> fill_node(const Job& job, Places& next, Bvh::Statistics& statistics) {
     statistics.depth = std::max(statistics.depth, job.depth);
     const float root_area = tree_.nodes[0].half_area();
     const Choices::Children children = sorted_children(job.root);
     std::vector<Job> open;
     BvhNode<Width> made = empty_node<Width>();
-    const Place first = next;
+    const Places first = next;
     for (std::uint32_t i = 0; i < children.count; ++i) {
       const std::uint32_t child = children.roots[i];
       const BinaryNode& node = tree_.nodes[child];
@@ -208,7 +172,7 @@ class Collapser {
       if (root_area > 0)
         statistics.sah_cost += (as_leaf ? bvh_leaf_cost : bvh_node_cost) * node.half_area() / root_area;
       if (as_leaf) {
-        bvh_.leaves[next.leaves++] = make_leaf(child);
+        bvh_.leaves[next.leaves++] = triangle_leaf(tree_, mesh_, child);
       } else {
         open.push_back({child, job.depth + 1, next.nodes++, {}});
       }
@@ -219,13 +183,13 @@ class Collapser {
     return open;
   }
 
-  void fill(const Job& job, Place& next, Bvh::Statistics& statistics) {
+  void fill(const Job& job, Places& next, Bvh::Statistics& statistics) {
     for (const Job& open : fill_node(job, next, statistics)) fill(open, next, statistics);
   }
 
-  void fill_above(const Job& job, Place& next) {
+  void fill_above(const Job& job, Places& next) {
     if (is_task(job.root)) {
-      const Place& count = counts_[jobs_.size()];
+      const Places& count = counts_[jobs_.size()];
       jobs_.push_back({job.root, job.depth, job.target, next});
       next.nodes += count.nodes;
       next.leaves += count.leaves;
@@ -239,7 +203,7 @@ class Collapser {
   TaskPool& pool_;
   Choices choices_;
   std::vector<std::uint32_t> tasks_;  // roots
-  std::vector<Place> counts_;         // below each task's wide node
+  std::vector<Places> counts_;        // below each task's wide node
   std::vector<Job> jobs_;             // the same tasks, placed
   BvhNodes<Width> nodes_;
   Bvh bvh_;  // the rest of it

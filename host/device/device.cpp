@@ -125,11 +125,11 @@ DeviceInfo select_device(const std::string& selector) {
   if (devices.empty() && problem_of_pocl_folder()) throw *problem_of_pocl_folder();
   if (devices.empty())
     throw Error(
-        ExitCode::device,
+        ErrorKind::device,
         "no OpenCL device found; on Debian: apt-get install pocl-opencl-icd (`nook doctor` says more)");
   if (const DeviceInfo* chosen = choose_device(devices, selector)) return *chosen;
   if (problem_of_pocl_folder()) throw *problem_of_pocl_folder();
-  throw Error(ExitCode::device,
+  throw Error(ErrorKind::device,
               fmt::format("no OpenCL device matches '{}'; `nook devices` lists the {} there are", selector,
                           devices.size()));
 }
@@ -158,7 +158,7 @@ ClBuffer Device::buffer(std::size_t bytes, cl_mem_flags flags) const {
   ClBuffer made(
       opencl().clCreateBuffer(context_.get(), flags, std::max<std::size_t>(bytes, 1), nullptr, &code));
   if (code != CL_SUCCESS)
-    throw Error(ExitCode::device,
+    throw Error(ErrorKind::device,
                 fmt::format("device memory: {} bytes asked, {} allowed in one piece, {} in all on {} ({}); "
                             "render it in tiles with --crop, or on another --device",
                             bytes, info_.max_allocation, info_.memory, info_.name, opencl_error_name(code)));
@@ -173,7 +173,7 @@ ClBuffer Device::input_bytes(const void* data, std::size_t bytes) const {
       opencl().clCreateBuffer(context_.get(), CL_MEM_READ_ONLY | how, bytes, const_cast<void*>(data), &code));
   if (code != CL_SUCCESS)
     throw Error(
-        ExitCode::device,
+        ErrorKind::device,
         fmt::format("the scene does not fit the device: {} bytes asked, {} allowed in one piece, {} "
                     "in all on {} ({}); tiles would not help: take a smaller mesh or another --device",
                     bytes, info_.max_allocation, info_.memory, info_.name, opencl_error_name(code)));

@@ -14,7 +14,7 @@ void KernelCall::set(const char* name, const void* value, std::size_t bytes) {
 
 KernelCall& KernelCall::add(const char* name, cl_mem buffer) {
   if (!buffer)
-    throw Error(ExitCode::internal, fmt::format("a kernel's argument {} ({}) is missing", next_, name));
+    throw Error(ErrorKind::internal, fmt::format("a kernel's argument {} ({}) is missing", next_, name));
   set(name, &buffer, sizeof buffer);
   return *this;
 }
@@ -28,7 +28,7 @@ void KernelCall::run(const Device& device, std::size_t work_items, std::size_t g
   check_opencl(opencl().clGetKernelInfo(kernel_, CL_KERNEL_NUM_ARGS, sizeof arguments, &arguments, nullptr),
                "cannot read a kernel's arguments");
   if (arguments != next_)
-    throw Error(ExitCode::internal,
+    throw Error(ErrorKind::internal,
                 fmt::format("a kernel takes {} arguments and was given {}", arguments, next_));
   cl_event raw = nullptr;
   check_opencl(opencl().clEnqueueNDRangeKernel(device.queue(), kernel_, 1, nullptr, &work_items,

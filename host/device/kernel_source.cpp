@@ -47,7 +47,7 @@ void append(const std::string& path, const std::string& text, std::set<std::stri
         find_embedded((std::filesystem::path(path).parent_path() / name).lexically_normal().string());
     if (!file) file = find_embedded("kernels/" + name);
     if (!file)
-      throw Error(ExitCode::internal,
+      throw Error(ErrorKind::internal,
                   fmt::format("kernel include '{}' not found ({}:{})", name, path, number));
     if (seen.insert(file->path).second) append(file->path, file->text, seen, out);
     out += fmt::format("#line {} \"{}\"\n", number + 1, path);
@@ -65,7 +65,7 @@ std::string flatten_kernel(const std::string& name, const std::string& text) {
 
 std::string kernel_source(const std::string& file) {
   const EmbeddedFile* found = find_embedded("kernels/" + file);
-  if (!found) throw Error(ExitCode::internal, "no embedded kernel file kernels/" + file);
+  if (!found) throw Error(ErrorKind::internal, "no embedded kernel file kernels/" + file);
   return flatten_kernel(found->path, found->text);
 }
 

@@ -21,13 +21,13 @@ OpenClFunctions load() {
   if (!name || !*name) name = "libOpenCL.so.1";
   void* library = dlopen(name, RTLD_NOW | RTLD_LOCAL);
   if (!library)
-    throw Error(ExitCode::device, std::string("no OpenCL loader: cannot load ") + name +
-                                      "; on Debian: apt-get install ocl-icd-libopencl1 pocl-opencl-icd");
+    throw Error(ErrorKind::device, std::string("no OpenCL loader: cannot load ") + name +
+                                       "; on Debian: apt-get install ocl-icd-libopencl1 pocl-opencl-icd");
   OpenClFunctions functions;
 #define X(function)                                                                               \
   functions.function = reinterpret_cast<decltype(functions.function)>(dlsym(library, #function)); \
   if (!functions.function)                                                                        \
-    throw Error(ExitCode::device, std::string("the OpenCL loader ") + name + " has no " #function);
+    throw Error(ErrorKind::device, std::string("the OpenCL loader ") + name + " has no " #function);
   NOOK_OPENCL_FUNCTIONS(X)
 #undef X
   loaded = true;
@@ -67,7 +67,7 @@ std::string opencl_error_name(cl_int code) {
 }
 
 void check_opencl(cl_int code, const char* what) {
-  if (code != CL_SUCCESS) throw Error(ExitCode::device, std::string(what) + ": " + opencl_error_name(code));
+  if (code != CL_SUCCESS) throw Error(ErrorKind::device, std::string(what) + ": " + opencl_error_name(code));
 }
 
 }  // namespace nook

@@ -8,7 +8,7 @@
 
 namespace nook {
 
-// The OpenCL functions nook calls, loaded when first needed: a run without a path-traced effect never maps
+// The OpenCL functions nook calls, loaded when first needed: a run without an effect for rays never maps
 // libOpenCL.
 // clang-format wraps these macros anew at each run.
 // clang-format off

@@ -163,7 +163,7 @@ void check_chosen(const fs::path& folder) {
   const int error = failed ? failed.value() : error_of_use(folder);
   // A full disk does no harm where all that PoCL needs is there already.
   if (error && !is_full(error))
-    problem = Error(ExitCode::device, "POCL_CACHE_DIR: " + folder.string() + ": " + reason_of(error));
+    problem = Error(ErrorKind::device, "POCL_CACHE_DIR: " + folder.string() + ": " + reason_of(error));
 }
 
 void make_folder() {
@@ -171,8 +171,8 @@ void make_folder() {
   // In another folder PoCL would meet the same full disk more often than not: only other errors go on.
   const auto settled = [&](const fs::path& folder, int error) {
     if (is_full(error))
-      problem = Error(ExitCode::output, folder.string() + ": " + std::strerror(error) +
-                                            ": PoCL has no room for its files there");
+      problem = Error(ErrorKind::output, Place{folder.string()},
+                      std::string(std::strerror(error)) + ": PoCL has no room for its files there");
     else if (error)
       tried += "; " + folder.string() + ": " + reason_of(error);
     return error == 0 || is_full(error);
@@ -181,7 +181,7 @@ void make_folder() {
     if (settled(cache / "pocl", make_folder_in(cache / "pocl"))) return;
   for (const std::string& temporary : {text_of("TMPDIR"), std::string("/tmp"), std::string("/var/tmp")})
     if (!temporary.empty() && settled(temporary, make_private_folder_in(temporary))) return;
-  problem = Error(ExitCode::device, "PoCL has no folder for its files, NOOK_CACHE_DIR names one" + tried);
+  problem = Error(ErrorKind::device, "PoCL has no folder for its files, NOOK_CACHE_DIR names one" + tried);
 }
 
 }  // namespace

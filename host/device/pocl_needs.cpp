@@ -53,7 +53,7 @@ bool pocl_is_registered() {
 }
 
 [[noreturn]] void wanting(const std::string& what) {
-  throw Error(ExitCode::device, "PoCL cannot work here: " + what);
+  throw Error(ErrorKind::device, "PoCL cannot work here: " + what);
 }
 
 // The soft limit becomes `wanted` where the hard one allows it; what it is then.

@@ -100,7 +100,7 @@ ClProgram from_source(const Device& device, const std::string& source, const std
   check_opencl(code, "cannot create a program");
   code = opencl().clBuildProgram(program.get(), 1, &id, options.c_str(), nullptr, nullptr);
   if (code != CL_SUCCESS)
-    throw Error(ExitCode::device,
+    throw Error(ErrorKind::device,
                 fmt::format("the kernels do not build on {} with {} ({})\n{}", device.info().name, options,
                             opencl_error_name(code), build_log(device, program.get())));
   return program;

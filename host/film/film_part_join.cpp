@@ -42,21 +42,21 @@ std::string difference(const FilmPart& a, const std::string& name_a, const FilmP
 void join_film_part(FilmPart& part, const std::string& name, const FilmPart& other,
                     const std::string& other_name) {
   if (const std::string why = difference(part, name, other, other_name); !why.empty())
-    throw Error(ExitCode::scene, why);
+    throw Error(ErrorKind::scene, why);
   if (!part.films.front().kept.empty())
-    throw Error(ExitCode::scene, fmt::format("{}: a render to an error cannot be joined with another", name));
+    throw Error(ErrorKind::scene, Place{name}, "a render to an error cannot be joined with another");
   SampleBoxes both = part.held;
   both.insert(both.end(), other.held.begin(), other.held.end());
   std::optional<SampleBox> overlap;
   both = unite(std::move(both), &overlap);
   if (overlap)
-    throw Error(ExitCode::scene,
+    throw Error(ErrorKind::scene,
                 fmt::format("{}: samples {} to {} of {} pixels are in another part already", other_name,
                             overlap->first, overlap->end - 1, overlap->pixel_end - overlap->pixel_begin));
   for (const Channel& theirs : other.surface)
     for (const Channel& ours : part.surface)
       if (ours.name == theirs.name && !same_bits(ours, theirs))
-        throw Error(ExitCode::scene,
+        throw Error(ErrorKind::scene,
                     fmt::format("{} and {} differ in their channel {}", name, other_name, ours.name));
 
   part.held = std::move(both);

@@ -36,7 +36,7 @@ class Reader {
 };
 
 [[noreturn]] void reject(const std::filesystem::path& path, const std::string& why) {
-  throw Error(ExitCode::scene, fmt::format("{}: {}", path.string(), why));
+  throw Error(ErrorKind::scene, Place{path.string()}, why);
 }
 
 std::uint64_t size_of_regular_file(const std::filesystem::path& path) {

@@ -79,7 +79,7 @@ void write_film_part(const std::filesystem::path& path, const FilmPart& part) {
   start.version = format_version;
   start.header_bytes = std::uint32_t(header.size());
   start.header_checksum = XXH3_64bits(header.data(), header.size());
-  if (header.size() > largest_header) throw Error(ExitCode::internal, "a part's header is too large");
+  if (header.size() > largest_header) throw Error(ErrorKind::internal, "a part's header is too large");
 
   PendingFile file(path);
   file.write(&start, sizeof start);

@@ -43,7 +43,7 @@ class HeldSamples {
 
  private:
   mutable SampleBoxes boxes_;
-  mutable std::size_t united_ = 0;  ///< of boxes_, the first so many are in canonical form
+  mutable std::size_t united_ = 0;  ///< the number of boxes_, from the first, in canonical form
 };
 
 }  // namespace nook

@@ -28,7 +28,7 @@ constexpr std::uint32_t flag_multi_part = 0x1000;
 constexpr std::size_t longest_name = 255;
 
 [[noreturn]] void reject(const std::filesystem::path& path, const std::string& reason) {
-  throw Error(ExitCode::scene, fmt::format("cannot read {}: {}", path.string(), reason));
+  throw Error(ErrorKind::scene, fmt::format("cannot read {}: {}", path.string(), reason));
 }
 
 std::uint32_t read_u32(std::istream& in) {

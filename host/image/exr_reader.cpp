@@ -82,12 +82,12 @@ auto reading(const std::filesystem::path& path, Read read) {
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {
-    throw Error(ExitCode::scene,
+    throw Error(ErrorKind::scene,
                 fmt::format("cannot read {}: not enough memory for its pixels", path.string()));
   } catch (const std::exception& error) {
     std::string reason = error.what();
     std::replace(reason.begin(), reason.end(), '\n', ' ');
-    throw Error(ExitCode::scene, fmt::format("cannot read {}: {}", path.string(), reason));
+    throw Error(ErrorKind::scene, fmt::format("cannot read {}: {}", path.string(), reason));
   }
 }
 

@@ -43,13 +43,13 @@ Imf::Slice slice_of(Imf::PixelType type, const std::vector<Value>& values, const
 void require_planes(const Image& image) {
   const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
   if (image.width <= 0 || image.height <= 0 || image.channels.empty())
-    throw Error(ExitCode::internal, fmt::format("write_exr: an image of {} x {} pixels and {} channels",
-                                                image.width, image.height, image.channels.size()));
+    throw Error(ErrorKind::internal, fmt::format("write_exr: an image of {} x {} pixels and {} channels",
+                                                 image.width, image.height, image.channels.size()));
   for (const Channel& channel : image.channels) {
     const std::size_t size = std::visit([](const auto& values) { return values.size(); }, channel.values);
     if (size != pixels)
-      throw Error(ExitCode::internal, fmt::format("write_exr: channel {} has {} values for {} pixels",
-                                                  channel.name, size, pixels));
+      throw Error(ErrorKind::internal, fmt::format("write_exr: channel {} has {} values for {} pixels",
+                                                   channel.name, size, pixels));
   }
 }
 
@@ -92,7 +92,7 @@ void write_exr(const std::filesystem::path& path, const Image& image, ExrPrecisi
   } catch (const Error&) {
     throw;
   } catch (const std::exception& error) {
-    throw Error(ExitCode::output, fmt::format("cannot write {}: {}", path.string(), error.what()));
+    throw Error(ErrorKind::output, fmt::format("cannot write {}: {}", path.string(), error.what()));
   }
   file.commit();
 }

@@ -82,7 +82,7 @@ const float* plane(const Image& image, const char* name) {
   const auto* values = channel ? std::get_if<std::vector<float>>(&channel->values) : nullptr;
   const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
   if (!values || values->size() != pixels || pixels == 0)
-    throw Error(ExitCode::internal, fmt::format("write_png: the image has no channel {} of its size", name));
+    throw Error(ErrorKind::internal, fmt::format("write_png: the image has no channel {} of its size", name));
   return values->data();
 }
 
@@ -110,8 +110,8 @@ void write_png(const std::filesystem::path& path, const Image& image) {
   png_destroy_write_struct(&png, &info);
   if (sink.failure) std::rethrow_exception(sink.failure);
   if (!complete)
-    throw Error(ExitCode::output, fmt::format("cannot write {}: {}", path.string(),
-                                              sink.message.empty() ? "not enough memory" : sink.message));
+    throw Error(ErrorKind::output, fmt::format("cannot write {}: {}", path.string(),
+                                               sink.message.empty() ? "not enough memory" : sink.message));
   file.commit();
 }
 

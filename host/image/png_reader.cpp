@@ -67,9 +67,7 @@ std::uint8_t opacity_of(const png_byte* pixel, std::size_t channels, char wanted
 }  // namespace
 
 GrayImage read_png_opacity(const std::filesystem::path& path, char channel) {
-  const auto fail = [&](const std::string& why) {
-    throw Error(ExitCode::scene, fmt::format("{}: {}", path.string(), why));
-  };
+  const auto fail = [&](const std::string& why) { throw Error(ErrorKind::scene, Place{path.string()}, why); };
   std::error_code code;
   if (!std::filesystem::exists(path, code)) fail("no such file");
   if (!std::filesystem::is_regular_file(path, code)) fail("not a regular file");

@@ -8,8 +8,8 @@
 namespace nook {
 namespace {
 
-// Once an outline that crosses itself has lost so many corners that were no ears, the rest is not looked at
-// closely any more.
+// Once an outline that crosses itself has lost this number of corners that were no ears, the rest is not
+// looked at closely any more.
 constexpr std::size_t most_forced = 64;
 // Corners that are looked at, in all, for what is an ear but for rounding.
 constexpr std::size_t most_looks = 10'000'000;

@@ -14,7 +14,7 @@ constexpr std::uint32_t none = 0xffffffffu;
 
 void check_finite(const vec3& p) {
   if (!finite(p))
-    throw Error(ExitCode::scene, "an instance's transform takes positions beyond the range of floats");
+    throw Error(ErrorKind::scene, "an instance's transform takes positions beyond the range of floats");
 }
 
 vec3 finite_position(const PlacedMesh& place, const vec3& p) {
@@ -95,7 +95,7 @@ Bounds3 placed_bounds(const PlacedMesh& place, const Bounds3& box) {
 std::uint32_t append_part(TriangleMesh& whole, const TriangleMesh& part, bool mirrored) {
   if (whole.positions.size() + part.positions.size() >= none ||
       whole.normals.size() + part.normals.size() >= none)
-    throw Error(ExitCode::scene, "the scene's instances have more vertices than 32-bit indices can name");
+    throw Error(ErrorKind::scene, "the scene's instances have more vertices than 32-bit indices can name");
   const auto first_position = std::uint32_t(whole.positions.size()),
              first_normal = std::uint32_t(whole.normals.size());
   const auto first_material = std::uint32_t(whole.materials.size()),
@@ -147,7 +147,7 @@ std::uint32_t append_part(TriangleMesh& whole, const TriangleMesh& part, bool mi
 void place_part(TriangleMesh& whole, std::uint32_t index, const glm::dmat4& transform) {
   const TriangleMesh::Part& part = whole.parts[index];
   if (whole.scene_triangles() + part.triangles >= none && !whole.instances.empty())
-    throw Error(ExitCode::scene, "the scene's instances have more triangles than 32-bit numbers can name");
+    throw Error(ErrorKind::scene, "the scene's instances have more triangles than 32-bit numbers can name");
   TriangleMesh::Instance instance{placed_mesh(transform), index};
   instance.place.first_triangle = whole.instances.empty() ? 0 : std::uint32_t(whole.scene_triangles());
   instance.place.mesh_triangle = part.first_triangle;

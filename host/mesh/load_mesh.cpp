@@ -65,7 +65,7 @@ bool is_unread_mesh(const std::filesystem::path& path) {
 
 void refuse_format(const std::filesystem::path& path) {
   size_of_input(path);
-  throw Error(ExitCode::scene, path.string() + ": not a format that nook reads (OBJ, PLY, STL)");
+  throw Error(ErrorKind::scene, Place{path.string()}, "not a format that nook reads (OBJ, PLY, STL)");
 }
 
 TriangleMesh load_mesh(const std::filesystem::path& path, const MeshAttributes& attributes) {

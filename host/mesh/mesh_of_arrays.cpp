@@ -12,11 +12,11 @@ namespace {
 
 std::vector<vec3> vectors(std::span<const float> values, const char* name) {
   if (values.size() % 3 != 0)
-    throw Error(ExitCode::scene, fmt::format("{}: {} numbers, not three a vertex", name, values.size()));
+    throw Error(ErrorKind::scene, Place{name}, fmt::format("{} numbers, not three a vertex", values.size()));
   std::vector<vec3> made(values.size() / 3);
   for (std::size_t i = 0; i < made.size(); ++i) {
     made[i] = {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
-    if (!finite(made[i])) throw Error(ExitCode::scene, fmt::format("{}: row {} is not finite", name, i));
+    if (!finite(made[i])) throw Error(ErrorKind::scene, Place{name}, fmt::format("row {} is not finite", i));
   }
   return made;
 }
@@ -29,18 +29,18 @@ TriangleMesh mesh_of_arrays(std::span<const float> positions, std::span<const st
   mesh.positions = vectors(positions, "positions");
   mesh.normals = vectors(normals, "normals");
   if (!normals.empty() && normals.size() != positions.size())
-    throw Error(ExitCode::scene, fmt::format("normals: {} vertices, and {} positions", mesh.normals.size(),
-                                             mesh.positions.size()));
+    throw Error(ErrorKind::scene, fmt::format("normals: {} vertices, and {} positions", mesh.normals.size(),
+                                              mesh.positions.size()));
   if (triangles.empty() || triangles.size() % 3 != 0)
-    throw Error(ExitCode::scene,
+    throw Error(ErrorKind::scene,
                 fmt::format("triangles: {} indices, not three a triangle", triangles.size()));
   for (vec3& normal : mesh.normals)
     if (normal != vec3(0)) normal = vec3(glm::normalize(dvec3(normal)));
   mesh.triangles.resize(triangles.size() / 3);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     if (triangles[i] >= mesh.positions.size())
-      throw Error(ExitCode::scene, fmt::format("triangles: row {} names vertex {} of {}", i / 3, triangles[i],
-                                               mesh.positions.size()));
+      throw Error(ErrorKind::scene, fmt::format("triangles: row {} names vertex {} of {}", i / 3,
+                                                triangles[i], mesh.positions.size()));
     mesh.triangles[i / 3][i % 3] = triangles[i];
     mesh.bounds.add(mesh.positions[triangles[i]]);
   }

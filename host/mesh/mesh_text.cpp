@@ -18,7 +18,7 @@ namespace nook {
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& what) {
-  throw Error(ExitCode::scene, fmt::format("{}: {}", path.string(), what));
+  throw Error(ErrorKind::scene, Place{path.string()}, what);
 }
 
 LargeVector<char> inflated(const std::filesystem::path& path) {

@@ -133,7 +133,7 @@ TriangleMesh load_obj(const std::filesystem::path& path, const MeshAttributes& w
   pool.for_ranges(pieces.size(), 1,
                   [&](std::size_t i, std::size_t) { read_obj_piece(pieces[i], all, want, mesh); });
   for (const ObjPiece& piece : pieces)
-    if (!piece.fault.empty()) throw Error(ExitCode::scene, fmt::format("{}:{}", mesh.name, piece.fault));
+    if (!piece.fault.empty()) throw Error(ErrorKind::scene, Place{mesh.name, piece.fault_line}, piece.fault);
   LargeVector<char>().swap(bytes);
 
   ObjMaterials materials;

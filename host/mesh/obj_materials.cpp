@@ -45,7 +45,7 @@ std::uint32_t ObjMaterials::find(const std::string& name, std::size_t line) {
     return TriangleMesh::no_material;
   }
   const auto fault = faults_.find(found->second);
-  if (reads_exponents_ && fault != faults_.end()) throw Error(ExitCode::scene, fault->second);
+  if (reads_exponents_ && fault != faults_.end()) throw Error(ErrorKind::scene, fault->second);
   return found->second;
 }
 

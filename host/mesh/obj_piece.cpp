@@ -170,7 +170,8 @@ void read_obj_piece(ObjPiece& piece, const ObjCounts& all, const MeshAttributes&
   for_each_statement(piece.text, [&](std::string_view statement, std::size_t line) {
     const std::string fault = reader.read(statement, line);
     if (fault.empty()) return true;
-    piece.fault = fmt::format("{}: {}", piece.before.lines + line, fault);
+    piece.fault = fault;
+    piece.fault_line = piece.before.lines + line;
     return false;
   });
 }

@@ -27,8 +27,9 @@ struct ObjPiece {
   };
   std::vector<Change> changes;
 
-  std::string fault;        ///< "LINE: what is wrong there", of the first line that cannot be read; or empty
-  std::size_t odd_uvs = 0;  ///< `vt` lines whose numbers are not finite
+  std::string fault;            ///< what is wrong with the first line that cannot be read; or empty
+  std::size_t fault_line = 0;   ///< that line of the file, from 1
+  std::size_t odd_uvs = 0;      ///< `vt` lines whose numbers are not finite
   std::size_t odd_uv_line = 0;  ///< the first of them
 };
 

@@ -10,8 +10,8 @@
 namespace nook {
 
 void PlyBody::fail(const std::string& what) const {
-  throw Error(ExitCode::scene, is_text() ? fmt::format("{}:{}: {}", name_, line_, what)
-                                         : fmt::format("{}: byte {}: {}", name_, at_ - begin_, what));
+  if (is_text()) throw Error(ErrorKind::scene, Place{name_, line_}, what);
+  throw Error(ErrorKind::scene, Place{name_}, fmt::format("byte {}: {}", at_ - begin_, what));
 }
 
 double PlyBody::word() {

@@ -52,7 +52,7 @@ class HeaderReader {
 
  private:
   [[noreturn]] void fail(const std::string& what) const {
-    throw Error(ExitCode::scene, fmt::format("{}:{}: {}", name_, header_.lines, what));
+    throw Error(ErrorKind::scene, Place{name_, header_.lines}, what);
   }
 
   std::string_view line() {

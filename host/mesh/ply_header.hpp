@@ -28,7 +28,7 @@ struct PlyElement {
   std::uint64_t count = 0;
   std::vector<PlyProperty> properties;
 
-  /// Index of the property of this name that is (not) a list, -1: none.
+  /// Index of the property of this name that is (not) a list; -1 if there is none.
   int find(std::string_view property, bool is_list) const;
 };
 

@@ -35,7 +35,7 @@ class PlyLoader {
  private:
   FaceBlock& block() { return mesh_.blocks.back(); }
 
-  // Blocks of so many corners keep threads busy that cut them.
+  // The corners of a block: few enough to keep all threads busy that cut faces.
   void begin_face() {
     constexpr std::size_t enough = 1 << 17;
     if (block().positions.size() >= enough) mesh_.blocks.emplace_back();

@@ -39,11 +39,11 @@ std::size_t binary_size(std::string_view bytes) {
 void read_binary(std::string_view bytes, PolygonMesh& mesh) {
   const std::size_t expected = binary_size(bytes);
   if (bytes.size() < std::max(expected, header_bytes))
-    throw Error(ExitCode::scene,
-                expected == 0 ? mesh.name + ": neither an ASCII STL file nor as long as a binary one's header"
-                              : fmt::format("{}: the file ends too early: {} bytes, its {} triangles take {}",
-                                            mesh.name, bytes.size(),
-                                            (expected - header_bytes) / triangle_bytes, expected));
+    throw Error(ErrorKind::scene, Place{mesh.name},
+                expected == 0
+                    ? "neither an ASCII STL file nor as long as a binary one's header"
+                    : fmt::format("the file ends too early: {} bytes, its {} triangles take {}", bytes.size(),
+                                  (expected - header_bytes) / triangle_bytes, expected));
   if (bytes.size() > expected)
     mesh.warnings.push_back(fmt::format("{}: {} bytes behind the last triangle are left out", mesh.name,
                                         bytes.size() - expected));
@@ -96,7 +96,7 @@ class AsciiReader {
 
  private:
   [[noreturn]] void fail(const std::string& what) const {
-    throw Error(ExitCode::scene, fmt::format("{}:{}: {}", mesh_.name, line_, what));
+    throw Error(ErrorKind::scene, Place{mesh_.name, line_}, what);
   }
 
   void solid(std::string_view name) {

@@ -47,7 +47,7 @@ struct MeshAttributes {
   bool exponents = false;  ///< materials' Ns are read: one that is no exponent is an error
 };
 
-/// Indexed triangles, shared by the path tracer and SSAO.
+/// Indexed triangles, shared by rays and SSAO.
 ///
 /// With `instances`, `triangles` holds each distinct mesh once, in coordinates of its own (a part), and the
 /// scene is its instances; without, the triangles lie in the world. Bounds are of the world in any case.

@@ -11,8 +11,8 @@
 #include "base/error.hpp"
 #include "base/task_pool.hpp"
 #include "base/threads.hpp"
+#include "mesh/block_triangles.hpp"
 #include "mesh/corner_order.hpp"
-#include "mesh/face_cut.hpp"
 
 namespace nook {
 namespace {
@@ -36,88 +36,6 @@ std::uint64_t normalise(std::vector<vec3>& normals, TaskPool& pool) {
   });
   return all;
 }
-
-// Where faces cross themselves: the first one, and how many.
-struct Crossed {
-  std::uint32_t first_place = 0;
-  std::uint64_t faces = 0;
-};
-
-// A block's faces as triangles; indices are those of `mesh`, whose positions, normals and uvs are there.
-class BlockTriangles {
- public:
-  BlockTriangles(const PolygonMesh& polygons, const TriangleMesh& mesh, const MeshAttributes& want)
-      : polygons_(polygons), mesh_(mesh), want_(want) {}
-
-  TriangleMesh of(const FaceBlock& block, Crossed& crossed) {
-    TriangleMesh part;
-    part.triangles.reserve(block.face_sizes.size());
-    std::size_t corner = 0, run = 0, polygon = 0;
-    for (std::size_t face = 0; face < block.face_sizes.size(); ++face) {
-      while (run + 1 < block.runs.size() && block.runs[run + 1].first_face <= face) ++run;
-      const std::uint32_t size = block.face_sizes[face];
-      triangles_.clear();
-      if (!cut(block, corner, size) && crossed.faces++ == 0) crossed.first_place = block.places[polygon];
-      polygon += size > 3;
-      for (const FaceCutter::Triangle& t : triangles_) add(part, block, corner, t, block.runs[run]);
-      corner += size;
-    }
-    return part;
-  }
-
- private:
-  // A face with a position that is not finite becomes a fan, of which some triangles will be dropped.
-  bool cut(const FaceBlock& block, std::size_t first, std::uint32_t size) {
-    corners_.clear();
-    bool all_finite = true;
-    for (std::size_t c = first; size > 3 && c < first + size; ++c) {
-      all_finite = all_finite && finite(mesh_.positions[block.positions[c]]);
-      corners_.push_back(polygons_.positions[block.positions[c]]);
-    }
-    if (size > 3 && all_finite) return cutter_.cut(corners_, triangles_);
-    for (std::uint32_t k = 1; k + 1 < size; ++k) triangles_.push_back({0, k, k + 1});
-    return true;
-  }
-
-  void add(TriangleMesh& part, const FaceBlock& block, std::size_t first,
-           const FaceCutter::Triangle& triangle, const FaceBlock::Run& run) const {
-    std::array<std::uint32_t, 3> position{}, normal{}, uv{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t c = first + triangle[k];
-      position[k] = block.positions[c];
-      if (want_.normals) normal[k] = normal_of(block, c);
-      if (want_.uvs) uv[k] = uv_of(block, c);
-    }
-    part.triangles.push_back(position);
-    if (want_.normals) part.triangle_normals.push_back(normal);
-    if (want_.uvs) part.triangle_uvs.push_back(uv);
-    if (want_.materials) part.triangle_material.push_back(run.material);
-    if (want_.groups) part.triangle_group.push_back(run.group);
-  }
-
-  std::uint32_t normal_of(const FaceBlock& block, std::size_t c) const {
-    const std::uint32_t index = polygons_.vertices_have_normals ? block.positions[c]
-                                : block.normals.empty()         ? FaceBlock::none
-                                                                : block.normals[c];
-    return index != FaceBlock::none && mesh_.normals[index] != vec3(0) ? index : TriangleMesh::no_normal;
-  }
-
-  std::uint32_t uv_of(const FaceBlock& block, std::size_t c) const {
-    const std::uint32_t index = polygons_.vertices_have_uvs ? block.positions[c]
-                                : block.uvs.empty()         ? FaceBlock::none
-                                                            : block.uvs[c];
-    if (index == FaceBlock::none) return TriangleMesh::no_uv;
-    const vec2& uv = mesh_.uvs[index];
-    return std::isfinite(uv.x) && std::isfinite(uv.y) ? index : TriangleMesh::no_uv;
-  }
-
-  const PolygonMesh& polygons_;
-  const TriangleMesh& mesh_;
-  const MeshAttributes& want_;
-  FaceCutter cutter_;
-  std::vector<dvec3> corners_;
-  std::vector<FaceCutter::Triangle> triangles_;
-};
 
 // Calls visit(array) for each of the arrays that have an entry a triangle.
 template <class Visit>
@@ -203,9 +121,10 @@ std::uint64_t collapsed(const TriangleMesh& part, const std::vector<vec3>& posit
   return count;
 }
 
-void warn_of_crossings(TriangleMesh& mesh, const PolygonMesh& polygons, const std::vector<Crossed>& crossed) {
-  Crossed all;
-  for (const Crossed& c : crossed) {
+void warn_of_crossings(TriangleMesh& mesh, const PolygonMesh& polygons,
+                       const std::vector<CrossedFaces>& crossed) {
+  CrossedFaces all;
+  for (const CrossedFaces& c : crossed) {
     if (all.faces == 0) all.first_place = c.first_place;
     all.faces += c.faces;
   }
@@ -259,7 +178,7 @@ TriangleMesh triangulated(PolygonMesh&& polygons, const MeshAttributes& want) {
   mesh.report.normals_normalised = normalise(mesh.normals, pool);
 
   std::vector<TriangleMesh> parts(blocks.size());
-  std::vector<Crossed> crossed(blocks.size());
+  std::vector<CrossedFaces> crossed(blocks.size());
   std::atomic<std::uint64_t> lost = 0;
   pool.for_ranges(blocks.size(), 1, [&](std::size_t i, std::size_t) {
     parts[i] = BlockTriangles(polygons, mesh, want).of(blocks[i], crossed[i]);
@@ -278,11 +197,11 @@ TriangleMesh triangulated(PolygonMesh&& polygons, const MeshAttributes& want) {
         polygons.name, lost.load(), mesh.frame.to_file(double(mesh.bounds.bounding_radius()))));
   drop_unused(mesh);
   if (mesh.triangles.empty())
-    throw Error(ExitCode::scene,
+    throw Error(ErrorKind::scene, Place{polygons.name},
                 mesh.report.non_finite_dropped
-                    ? fmt::format("{}: no triangle is left ({} have NaN or infinite vertices)", polygons.name,
+                    ? fmt::format("no triangle is left ({} have NaN or infinite vertices)",
                                   mesh.report.non_finite_dropped)
-                    : fmt::format("{}: the mesh has no triangles", polygons.name));
+                    : "the mesh has no triangles");
   return mesh;
 }
 

@@ -55,8 +55,8 @@ std::string request_channels(const std::vector<std::string>& names, AovRequest& 
 AovRequest parse_aovs(const std::vector<std::string>& names) {
   AovRequest request;
   if (const std::string unknown = request_channels(names, request); !unknown.empty())
-    throw Error(ExitCode::usage, "--aov: unknown channel '" + unknown +
-                                     "', known: normal, position, depth, variance, samples, alpha");
+    throw Error(ErrorKind::usage, "--aov: unknown channel '" + unknown +
+                                      "', known: normal, position, depth, variance, samples, alpha");
   return request;
 }
 
@@ -89,7 +89,7 @@ std::vector<Channel> surface_channels(const Plan& plan, const AovRequest& aovs,
 Image make_picture(const FilmPart& part) {
   AovRequest aovs;
   if (!request_channels(part.aovs, aovs).empty())
-    throw Error(ExitCode::scene, "a part asks for a channel that nook does not know");
+    throw Error(ErrorKind::scene, "a part asks for a channel that nook does not know");
   Image image;
   image.width = part.films.front().width;
   image.height = part.films.front().height;

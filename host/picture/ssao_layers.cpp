@@ -63,7 +63,7 @@ SsaoLayers draw_ssao(const Scene& scene, const TriangleMesh& mesh, const Plan& p
                      unsigned frames, Image& image) {
   const bool alone = !plan.needs_opencl();
   if (alone && (aovs.variance || aovs.samples))
-    throw Error(ExitCode::usage, "--aov: SSAO has no variance and no samples channel");
+    throw Error(ErrorKind::usage, "--aov: SSAO has no variance and no samples channel");
   const Stopwatch watch;
   SsaoRenderer renderer(mesh);
   if (alone) {

@@ -45,9 +45,8 @@ std::vector<float> exponents_of(const Scene& scene, const TriangleMesh& mesh) {
   std::vector<float> exponents;
   for (const Material& material : mesh.materials) exponents.push_back(material.phong_exponent);
   if (std::none_of(exponents.begin(), exponents.end(), [](float n) { return n >= 0; }))
-    throw Error(ExitCode::scene,
-                scene.file.string() +
-                    ": exponent = \"material\" needs a material with a lobe (Ns in the MTL file), and " +
+    throw Error(ErrorKind::scene, Place{scene.file.string()},
+                "exponent = \"material\" needs a material with a lobe (Ns in the MTL file), and " +
                     scene.mesh_file.string() + " has none");
   return exponents;
 }
@@ -64,7 +63,7 @@ std::size_t index_of_set(std::vector<std::uint32_t> set, std::vector<std::vector
 void check(const Scene& scene, const EffectPlan& planned) {
   const Effect& effect = planned.effect;
   const auto reject = [&](const std::string& what) {
-    throw Error(ExitCode::scene, scene.file.string() + ": " + what);
+    throw Error(ErrorKind::scene, Place{scene.file.string()}, what);
   };
   if (effect.falloff != Falloff::none && !(planned.max_distance > 0 && std::isfinite(planned.max_distance)))
     reject("falloff = \"" + std::string(name_of(effect.falloff)) +
@@ -105,9 +104,9 @@ bool Plan::asks_reach() const {
 void check_samples(const Scene& scene, std::uint64_t spp) {
   const std::uint64_t samples = spp * scene.directions;
   if (samples > most_samples_per_pixel)
-    throw Error(ExitCode::scene,
-                fmt::format("{}: {} camera rays x {} directions are {} samples a pixel, at most {}",
-                            scene.file.string(), spp, scene.directions, samples, most_samples_per_pixel));
+    throw Error(ErrorKind::scene, Place{scene.file.string()},
+                fmt::format("{} camera rays x {} directions are {} samples a pixel, at most {}", spp,
+                            scene.directions, samples, most_samples_per_pixel));
 }
 
 MeshAttributes needed_attributes(const Scene& scene, bool surface) {

@@ -64,7 +64,7 @@ struct Plan {
   bool denoise = false;         ///< the traced values are filtered
   bool instances = false;       ///< rays go through the trees of placed meshes
   std::vector<std::vector<std::uint32_t>> occluder_sets;  ///< triangles, each set once; a tree each
-  std::vector<EffectPlan> effects;                        ///< the path-traced ones
+  std::vector<EffectPlan> effects;                        ///< those that rays estimate
   std::vector<SsaoSettings> ssao;                         ///< the screen-space ones
   std::vector<LayerPlan> layers;                          ///< all of them, as the picture holds them
   std::vector<float>

@@ -70,8 +70,8 @@ Frame frame_of(const Scene& scene, const Files& files) {
     }
   }
   if (!finite(vec3(lo)) || !finite(vec3(hi)))
-    throw Error(ExitCode::scene,
-                scene.file.string() + ": an instance's vertices are beyond the range of floats");
+    throw Error(ErrorKind::scene, Place{scene.file.string()},
+                "an instance's vertices are beyond the range of floats");
   return frame_for(lo, hi);
 }
 
@@ -99,7 +99,7 @@ TriangleMesh place_files(const Scene& scene, Files files, bool as_trees) {
       if (fresh) part->second = append_part(whole, mesh, mirrors(transform));
       place_part(whole, part->second, transform);
     } catch (const Error& e) {
-      throw Error(e.code(), scene.file.string() + ": " + e.what());
+      throw Error(e.kind(), Place{scene.file.string()}, e.what());
     }
   }
   return whole;
@@ -128,8 +128,8 @@ TriangleMesh load_scene_mesh(const Scene& scene, const MeshAttributes& attribute
     Files files = load_files(scene, attributes);
     const std::string why_copies = reason_for_copies(scene, instancing, files.counts);
     if (instancing == Instancing::tree && !why_copies.empty())
-      throw Error(ExitCode::scene,
-                  fmt::format("{}: instancing = \"tree\": {}", scene.file.string(), why_copies));
+      throw Error(ErrorKind::scene, Place{scene.file.string()},
+                  fmt::format("instancing = \"tree\": {}", why_copies));
     std::vector<std::string> warnings = std::move(files.warnings);
     whole = place_files(scene, std::move(files), why_copies.empty());
     whole.report.warnings = std::move(warnings);

@@ -54,10 +54,9 @@ TriangleBits named_triangles(const Scene& scene, const TriangleMesh& mesh, const
   std::vector<bool> groups(mesh.groups.size()), materials(mesh.materials.size());
   for (const std::string& name : names) {
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw Error(ExitCode::scene,
-                  fmt::format("{}: {}: no group or material '{}' in {}{} (groups and materials: {})",
-                              scene.file.string(), key, name, scene.mesh_file.string(),
-                              suggestion(name, known), some_of(known)));
+      throw Error(ErrorKind::scene, Place{scene.file.string()},
+                  fmt::format("{}: no group or material '{}' in {}{} (groups and materials: {})", key, name,
+                              scene.mesh_file.string(), suggestion(name, known), some_of(known)));
     for (std::size_t g = 0; g < groups.size(); ++g) {
       const std::vector<std::string_view> of_group = names_of_group(mesh, g);
       groups[g] = groups[g] || std::find(of_group.begin(), of_group.end(), name) != of_group.end();

@@ -15,8 +15,8 @@ unsigned tree_width(const DeviceInfo& device, const Plan& plan);
 /// Occlusion rays that a plan traces, at most: a rule may stop pixels sooner.
 double planned_rays(const Plan& plan);
 
-/// The trees that are best for so many rays of a plan: of tree_width(), and refined where the rays save more
-/// than that takes; never for a plan that asks what is in reach, see tree_width(), nor for one with
+/// The trees that are best for this number of rays of a plan: of tree_width(), and refined where the rays
+/// save more than that takes; never for a plan that asks what is in reach, see tree_width(), nor for one with
 /// instances, where each mesh's tree would be refined. A plan with a stop rule counts the most that the rule
 /// allows, so it is refined as a rule. What rays hit does not depend on it.
 BvhOptions tree_options(const DeviceInfo& device, const Plan& plan, double rays, unsigned threads);

@@ -98,7 +98,7 @@ std::vector<SurfacePoint> read_points(std::istream& in, const std::string& name,
     first = false;
     if (header) continue;
     auto fail = [&name, row](const std::string& what) {
-      throw Error(ExitCode::scene, fmt::format("{}:{}: {}", name, row, what));
+      throw Error(ErrorKind::scene, Place{name, row}, what);
     };
     if (!wrong.empty()) fail(fmt::format("'{}' is not a finite number", wrong));
     if (n.size() != 6 && n.size() != 9)
@@ -111,7 +111,7 @@ std::vector<SurfacePoint> read_points(std::istream& in, const std::string& name,
                          : "RO needs the view direction: px,py,pz,nx,ny,nz,vx,vy,vz");
     points.push_back(surface_point(vec3(frame.from_file(dvec3(n[0], n[1], n[2]))), normal, view));
   }
-  if (points.empty()) throw Error(ExitCode::scene, fmt::format("{}: there are no points", name));
+  if (points.empty()) throw Error(ErrorKind::scene, Place{name}, "there are no points");
   return points;
 }
 
@@ -119,7 +119,7 @@ std::vector<SurfacePoint> load_points(const std::filesystem::path& path, bool ne
                                       const Frame& frame) {
   size_of_input(path);
   std::ifstream in(path);
-  if (!in) throw Error(ExitCode::scene, fmt::format("{}: cannot be read", path.string()));
+  if (!in) throw Error(ErrorKind::scene, Place{path.string()}, "cannot be read");
   return read_points(in, path.string(), needs_view, frame);
 }
 

@@ -67,7 +67,7 @@ Corners corners_in_texels(const TriangleMesh& mesh, std::size_t t, int size) {
     corners[k] = dvec2(uv.x, 1 - uv.y) * double(size);
     for (const double x : {corners[k].x, corners[k].y})
       if (!(x >= -0.5 && x <= size + 0.5))
-        throw Error(ExitCode::scene,
+        throw Error(ErrorKind::scene,
                     fmt::format("the texture coordinates ({:g}, {:g}) of triangle {} lie outside 0 to 1",
                                 uv.x, uv.y, t + 1));
   }
@@ -136,7 +136,7 @@ void cover(const Corners& corners, std::uint32_t triangle, int size, Coverage& c
 }  // namespace
 
 TexturePoints texture_points(const TriangleMesh& mesh, int size) {
-  if (mesh.triangle_uvs.empty()) throw Error(ExitCode::scene, "no triangle has texture coordinates (vt)");
+  if (mesh.triangle_uvs.empty()) throw Error(ErrorKind::scene, "no triangle has texture coordinates (vt)");
   const std::size_t count = std::size_t(size) * std::size_t(size);
   Coverage coverage{std::vector<std::uint32_t>(count, no_texel), std::vector<float>(count),
                     std::vector<bool>(count), std::vector<bool>(count)};

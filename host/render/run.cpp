@@ -30,12 +30,12 @@ void keeping(Session& session, RunControl& control, Run run) {
   } catch (const Error& e) {
     control.observer.end();
     control.writer.write(session);
-    throw Error(e.code(), e.what() + control.writer.what_is_kept(session));
+    throw Error(e, control.writer.what_is_kept(session));
   }
   control.observer.end();
   if (finished || !control.observer.cancelled()) return;
   control.writer.write(session);
-  throw Error(ExitCode::interrupted, "interrupted" + control.writer.what_is_kept(session));
+  throw Error(ErrorKind::interrupted, "interrupted" + control.writer.what_is_kept(session));
 }
 
 }  // namespace

@@ -129,7 +129,7 @@ std::vector<Film> SceneRenderer::estimate(std::span<const SurfacePoint> points, 
         return !cancelled;
       });
   if (observer) observer->end();
-  if (cancelled) throw Error(ExitCode::interrupted, "interrupted; nothing was written");
+  if (cancelled) throw Error(ErrorKind::interrupted, "interrupted; nothing was written");
   return films;
 }
 

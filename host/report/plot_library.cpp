@@ -29,7 +29,7 @@ PlotLibrary load_plot_library(const std::optional<std::filesystem::path>& file) 
   if (size_of_input(path) <= most_bytes) library.script = text_of(path);
   if (library.script.find("Chart.js v3.") == std::string::npos) {
     if (!file) return {};
-    throw Error(ExitCode::scene, fmt::format("{}: not Chart.js 3", path.string()));
+    throw Error(ErrorKind::scene, Place{path.string()}, "not Chart.js 3");
   }
   // "</script" would end the element; in a string or a regular expression "<\/script" is the same.
   for (std::size_t at = library.script.find("</script"); at != std::string::npos;

@@ -175,7 +175,7 @@ std::vector<StudyPoint> read_study_points(const std::filesystem::path& path, con
     }
     return points;
   } catch (const json::exception& e) {
-    throw Error(ExitCode::scene, fmt::format("{}: not a study (JSON error {})", path.string(), e.id));
+    throw Error(ErrorKind::scene, Place{path.string()}, fmt::format("not a study (JSON error {})", e.id));
   }
 }
 

@@ -73,10 +73,10 @@ std::vector<GalleryPicture> make_gallery(const StudyScene& scene, double seconds
   const bool ro = scene.effect().effect.kind == EffectKind::ro;
   const Sampling best_sampling = samplings_of(scene.effect().effect).front();
   const StudyReference reference = scene.reference(0.5 * seconds);
-  const StudyMethod best = scene.path_traced(best_sampling, Sampler::sobol, 1, 1024);
+  const StudyMethod best = scene.ray_traced(best_sampling, Sampler::sobol, 1, 1024);
   const std::vector<StudyMethod> others = {
-      scene.path_traced(ro ? Sampling::cosine : Sampling::sphere, Sampler::independent, 1, 1024),
-      scene.path_traced(best_sampling, Sampler::independent, 1, 1024), scene.adaptive(Sampler::sobol)};
+      scene.ray_traced(ro ? Sampling::cosine : Sampling::sphere, Sampler::independent, 1, 1024),
+      scene.ray_traced(best_sampling, Sampler::independent, 1, 1024), scene.adaptive(Sampler::sobol)};
 
   std::vector<GalleryPicture> pictures = {
       {"reference", "reference", fmt::format("{} spp", reference.spp), reference.image, {}}};

@@ -34,8 +34,7 @@ Scene studied(const Scene& scene, int width, int height) {
     return e.kind == EffectKind::ao || e.kind == EffectKind::ro || e.kind == EffectKind::ssao;
   });
   if (occlusion == made.effects.end())
-    throw Error(ExitCode::scene,
-                fmt::format("{}: a study needs a scene of type ao, ro or ssao", scene.file.string()));
+    throw Error(ErrorKind::scene, Place{scene.file.string()}, "a study needs a scene of type ao, ro or ssao");
   Effect effect = *occlusion;
   if (effect.kind == EffectKind::ssao) {
     effect.kind = EffectKind::ao;
@@ -89,8 +88,8 @@ Plan StudyScene::plan_with(Sampling sampling, Sampler sampler, std::uint32_t dir
   return make_plan(scene, mesh_);
 }
 
-StudyMethod StudyScene::path_traced(Sampling sampling, Sampler sampler, std::uint32_t directions,
-                                    std::uint32_t max_spp) const {
+StudyMethod StudyScene::ray_traced(Sampling sampling, Sampler sampler, std::uint32_t directions,
+                                   std::uint32_t max_spp) const {
   StudyMethod method;
   method.sampling = name_of(sampling);
   method.sampler = name_of(sampler);
@@ -199,9 +198,9 @@ std::vector<StudyMethod> StudyScene::methods(const StudyChoice& choice, std::str
       if (!chosen && sampling != all_samplings.front() && sampler != Sampler::independent &&
           sampler != Sampler::sobol)
         continue;
-      methods.push_back(path_traced(sampling, sampler, 1, choice.max_spp));
+      methods.push_back(ray_traced(sampling, sampler, 1, choice.max_spp));
     }
-  if (!chosen) methods.push_back(path_traced(all_samplings.front(), Sampler::sobol, 16, choice.max_spp));
+  if (!chosen) methods.push_back(ray_traced(all_samplings.front(), Sampler::sobol, 16, choice.max_spp));
   if (choice.predictions) predict(methods);
   if (!chosen) methods.push_back(denoised(choice.max_spp));
   if (choice.adaptive)
@@ -215,7 +214,7 @@ std::vector<StudyMethod> StudyScene::methods(const StudyChoice& choice, std::str
       for (const auto quality : {Quality::draft, Quality::real_time, Quality::accurate})
         methods.push_back(screen_space(SsaoSettings::Method::march, quality));
     } catch (const Error& e) {
-      if (e.code() != ExitCode::device) throw;
+      if (e.kind() != ErrorKind::device) throw;
       if (warning) *warning = fmt::format("the study goes without SSAO: {}", e.what());
     }
   }

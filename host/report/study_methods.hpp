@@ -39,8 +39,8 @@ class StudyScene {
   /// left out that was asked for, in one line.
   std::vector<StudyMethod> methods(const StudyChoice& choice, std::string* warning = nullptr) const;
   /// One of them.
-  StudyMethod path_traced(Sampling sampling, Sampler sampler, std::uint32_t directions,
-                          std::uint32_t max_spp) const;
+  StudyMethod ray_traced(Sampling sampling, Sampler sampler, std::uint32_t directions,
+                         std::uint32_t max_spp) const;
   /// By the stop rule of that sampler: independent or sobol.
   StudyMethod adaptive(Sampler sampler) const;
   /// Cosine (RO: lobe) and Sobol' through image/denoise.hpp.

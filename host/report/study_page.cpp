@@ -26,7 +26,7 @@ std::string page_file(std::string_view name) {
   for (unsigned i = 0; i < report_page::file_count; ++i)
     if (std::string_view(report_page::files[i].path).ends_with(std::string("/").append(name)))
       return report_page::files[i].text;
-  throw Error(ExitCode::internal, fmt::format("the page's {} is not embedded", name));
+  throw Error(ErrorKind::internal, fmt::format("the page's {} is not embedded", name));
 }
 
 std::string base64(const std::vector<std::uint8_t>& bytes) {
@@ -83,7 +83,7 @@ vec2 sobol_point(std::uint32_t index) {
 
 void replace(std::string& text, const std::string& what, const std::string& with) {
   const std::size_t at = text.find(what);
-  if (at == std::string::npos) throw Error(ExitCode::internal, fmt::format("the page has no {}", what));
+  if (at == std::string::npos) throw Error(ErrorKind::internal, fmt::format("the page has no {}", what));
   text.replace(at, what.size(), with);
 }
 

@@ -55,7 +55,7 @@ StudyReference StudyScene::reference(double seconds) const {
 
 double StudyScene::samples_per_second() const {
   const Sampling sampling = samplings_of(plan_.effects.front().effect).front();
-  const StudyMethod method = path_traced(sampling, Sampler::sobol, 1, 16);
+  const StudyMethod method = ray_traced(sampling, Sampler::sobol, 1, 16);
   method.render(16, 1);
   const StudyPicture picture = method.render(16, 2);
   return 16.0 * scene_.width * scene_.height / picture.wall_seconds;

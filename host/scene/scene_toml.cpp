@@ -51,8 +51,7 @@ toml::table parsed(const std::string& text, const std::filesystem::path& path) {
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& e) {
-    if (e.source().begin.line == 0)
-      throw Error(ExitCode::scene, fmt::format("{}: {}", path.string(), e.description()));
+    if (e.source().begin.line == 0) throw Error(ErrorKind::scene, Place{path.string()}, e.description());
     fail_at(path.string(), e.source(), std::string(e.description()));
   }
 }
@@ -107,18 +106,17 @@ void validate(const Scene& scene) {
   const dvec3 view = dvec3(scene.camera.at) - dvec3(scene.camera.eye), up(scene.camera.up);
   if (!scene.automatic_camera) {
     if (glm::length(view) == 0)
-      throw Error(ExitCode::scene, fmt::format("{}: the camera's eye and at are the same point", file));
-    if (glm::length(up) == 0) throw Error(ExitCode::scene, fmt::format("{}: the camera's up is zero", file));
+      throw Error(ErrorKind::scene, Place{file}, "the camera's eye and at are the same point");
+    if (glm::length(up) == 0) throw Error(ErrorKind::scene, Place{file}, "the camera's up is zero");
     if (glm::length(glm::cross(glm::normalize(view), glm::normalize(up))) < 1e-6)
-      throw Error(ExitCode::scene,
-                  fmt::format("{}: the camera's up is parallel to its view direction", file));
+      throw Error(ErrorKind::scene, Place{file}, "the camera's up is parallel to its view direction");
   }
   if (scene.crop) {
     const PixelRect& c = *scene.crop;
     if (c.x0 < 0 || c.y0 < 0 || c.x0 >= c.x1 || c.y0 >= c.y1 || c.x1 > scene.width || c.y1 > scene.height)
-      throw Error(ExitCode::scene,
-                  fmt::format("{}: the crop {},{},{},{} (x0,x1,y0,y1) is empty or outside the {}x{} film",
-                              file, c.x0, c.x1, c.y0, c.y1, scene.width, scene.height));
+      throw Error(ErrorKind::scene, Place{file},
+                  fmt::format("the crop {},{},{},{} (x0,x1,y0,y1) is empty or outside the {}x{} film", c.x0,
+                              c.x1, c.y0, c.y1, scene.width, scene.height));
   }
 }
 

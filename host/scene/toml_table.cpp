@@ -115,7 +115,7 @@ void fail_at(const std::string& file, const toml::source_region& where, const st
   std::string line = message.substr(0, 400);
   std::replace_if(
       line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; }, ' ');
-  throw Error(ExitCode::scene, fmt::format("{}:{}:{}: {}", file, where.begin.line, where.begin.column, line));
+  throw Error(ErrorKind::scene, Place{file, where.begin.line, where.begin.column}, line);
 }
 
 std::optional<KeyValue> TomlTable::read(const KeyInfo& key) {
@@ -152,7 +152,7 @@ void TomlTable::wrong(const toml::node& node, std::string_view key, const std::s
 void TomlTable::missing(std::string_view key) const {
   const std::string message = fmt::format("{} is missing in {}", key, title_);
   if (table_) fail_at(file_, table_->source(), message);
-  throw Error(ExitCode::scene, fmt::format("{}: {}", file_, message));
+  throw Error(ErrorKind::scene, Place{file_}, message);
 }
 
 void TomlTable::unknown_value(const toml::node& node, std::string_view key, std::string_view word,

@@ -71,14 +71,14 @@ std::size_t too_deep(std::string_view text) {
 
 void check_toml_text(const std::string& text, const std::filesystem::path& file) {
   if (text.size() > largest_scene_file)
-    throw Error(ExitCode::scene, file.string() + ": too large for a scene file (over 16 MiB)");
+    throw Error(ErrorKind::scene, Place{file.string()}, "too large for a scene file (over 16 MiB)");
   const std::size_t at = too_deep(text);
   if (at == std::string::npos) return;
   const auto row = 1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n');
   const std::size_t line = at == 0 ? std::string::npos : text.rfind('\n', at - 1);
-  throw Error(ExitCode::scene,
-              fmt::format("{}:{}:{}: nested deeper than {} arrays, tables or parts of a key", file.string(),
-                          row, line == std::string::npos ? at + 1 : at - line, deepest_nesting));
+  throw Error(ErrorKind::scene,
+              Place{file.string(), std::uint64_t(row), line == std::string::npos ? at + 1 : at - line},
+              fmt::format("nested deeper than {} arrays, tables or parts of a key", deepest_nesting));
 }
 
 std::string read_toml_text(const std::filesystem::path& path) {
@@ -87,7 +87,7 @@ std::string read_toml_text(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   std::string text(size, '\0');
   in.read(text.data(), std::streamsize(size));
-  if (!in.is_open() || in.bad()) throw Error(ExitCode::scene, path.string() + ": cannot be read");
+  if (!in.is_open() || in.bad()) throw Error(ErrorKind::scene, Place{path.string()}, "cannot be read");
   text.resize(std::size_t(in.gcount()));
   check_toml_text(text, path);
   return text;

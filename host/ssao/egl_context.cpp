@@ -32,7 +32,7 @@ class Egl final : public GlContext {
     // Never unmapped, as OSMesa is not.
     library_ = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
     if (!library_)
-      throw Error(ExitCode::device,
+      throw Error(ErrorKind::device,
                   "NOOK_GL=egl needs libEGL.so.1, which is not installed (Debian: apt install libegl1)");
     find(get_address_, "eglGetProcAddress");
     EglInitialize initialize;
@@ -70,13 +70,13 @@ class Egl final : public GlContext {
   template <typename Function>
   void find(Function& function, const char* name) {
     function = reinterpret_cast<Function>(dlsym(library_, name));
-    if (!function) throw Error(ExitCode::device, "the EGL library lacks " + std::string(name));
+    if (!function) throw Error(ErrorKind::device, "the EGL library lacks " + std::string(name));
   }
 
   [[noreturn]] void fail(const char* what) const {
     char code[16];
     std::snprintf(code, sizeof code, "0x%04x", unsigned(error_()));
-    throw Error(ExitCode::device, "EGL " + std::string(what) + ": EGL error " + code);
+    throw Error(ErrorKind::device, "EGL " + std::string(what) + ": EGL error " + code);
   }
 
   // The display stays: it is the process's, and another context may draw with it.

@@ -2,118 +2,26 @@
 
 #include <algorithm>
 #include <array>
-#include <unordered_map>
 
 #include "base/error.hpp"
 
 namespace nook {
-namespace {
-
-using Triangle = std::array<std::uint32_t, 3>;
-
-// Unit, from the winding, in double precision: a triangle of size 1e-15 would underflow.
-vec3 geometric_normal(const TriangleMesh& mesh, const Triangle& triangle) {
-  const dvec3 p = mesh.positions[triangle[0]];
-  const dvec3 n = glm::cross(dvec3(mesh.positions[triangle[1]]) - p, dvec3(mesh.positions[triangle[2]]) - p);
-  const double length = glm::length(n);
-  return length > 0 ? vec3(n / length) : vec3(0, 0, 1);
-}
-
-// Vertices as they are uploaded: position and normal interleaved, 6 floats each.
-struct Vertices {
-  std::vector<float> values;
-  std::vector<Triangle> triangles;
-
-  std::uint32_t add(const vec3& position, const vec3& normal) {
-    values.insert(values.end(), {position.x, position.y, position.z, normal.x, normal.y, normal.z});
-    return std::uint32_t(values.size() / 6 - 1);
-  }
-};
-
-// With vertex normals: one vertex for each pair of position and normal that occurs. A triangle that lacks a
-// normal at any corner has its geometric normal at all three.
-Vertices smooth_vertices(const TriangleMesh& mesh) {
-  Vertices vertices;
-  vertices.triangles.reserve(mesh.triangles.size());
-  std::unordered_map<std::uint64_t, std::uint32_t> known;
-  known.reserve(mesh.positions.size() * 2);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const Triangle &positions = mesh.triangles[t], &normals = mesh.triangle_normals[t];
-    const bool smooth = std::find(normals.begin(), normals.end(), TriangleMesh::no_normal) == normals.end();
-    const vec3 geometric = smooth ? vec3(0) : geometric_normal(mesh, positions);
-    Triangle& out = vertices.triangles.emplace_back();
-    for (int corner = 0; corner < 3; ++corner) {
-      const vec3 position = mesh.positions[positions[corner]];
-      if (!smooth) {
-        out[corner] = vertices.add(position, geometric);
-        continue;
-      }
-      const std::uint64_t key = std::uint64_t(positions[corner]) << 32 | normals[corner];
-      const auto [entry, is_new] = known.try_emplace(key, 0);
-      if (is_new) entry->second = vertices.add(position, mesh.normals[normals[corner]]);
-      out[corner] = entry->second;
-    }
-  }
-  return vertices;
-}
-
-// Without vertex normals: a triangle's normal is the flat attribute of its last vertex (OpenGL's provoking
-// vertex). Each triangle is turned to end in a vertex that no other triangle ends in; where there is none
-// left, the vertex is doubled.
-Vertices flat_vertices(const TriangleMesh& mesh) {
-  Vertices vertices;
-  vertices.triangles = mesh.triangles;
-  for (const vec3& position : mesh.positions) vertices.add(position, vec3(0));
-  std::vector<bool> taken(mesh.positions.size());
-  for (Triangle& triangle : vertices.triangles) {
-    const vec3 normal = geometric_normal(mesh, triangle);
-    for (int turn = 0; turn < 2 && taken[triangle[2]]; ++turn)
-      std::rotate(triangle.begin(), triangle.begin() + 1, triangle.end());
-    std::uint32_t& last = triangle[2];
-    if (taken[last]) {
-      last = vertices.add(mesh.positions[last], normal);
-    } else {
-      taken[last] = true;
-      for (int axis = 0; axis < 3; ++axis)
-        vertices.values[6 * std::size_t(last) + 3 + std::size_t(axis)] = normal[axis];
-    }
-  }
-  return vertices;
-}
-
-}  // namespace
-
 GlMesh::GlMesh(const GlContext& context, const TriangleMesh& mesh)
-    : context_(context), smooth_(mesh.has_normals()) {
-  const GlFunctions& gl = context.functions();
-  const Vertices vertices = smooth_ ? smooth_vertices(mesh) : flat_vertices(mesh);
-  const std::size_t vertex_bytes = vertices.values.size() * sizeof(float);
-  const std::size_t index_bytes = vertices.triangles.size() * sizeof(Triangle);
-  bytes_ = vertex_bytes + index_bytes;
-  index_count_ = GLsizei(vertices.triangles.size() * 3);
-  gl.glGenVertexArrays(1, &vertex_array_);
-  gl.glBindVertexArray(vertex_array_);
-  vertices_ = std::make_unique<GlBuffer>(context, GL_ARRAY_BUFFER, vertices.values.data(), vertex_bytes);
-  const GLsizei stride = 6 * sizeof(float);
-  gl.glEnableVertexAttribArray(0);
-  gl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, nullptr);
-  gl.glEnableVertexAttribArray(1);
-  gl.glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride,
-                           reinterpret_cast<const void*>(3 * sizeof(float)));
-  indices_ =
-      std::make_unique<GlBuffer>(context, GL_ELEMENT_ARRAY_BUFFER, vertices.triangles.data(), index_bytes);
+    : GlMesh(context, mesh.has_normals(), mesh_vertices(mesh)) {}
+
+GlMesh::GlMesh(const GlContext& context, bool smooth, const MeshVertices& vertices)
+    : context_(context),
+      smooth_(smooth),
+      index_count_(GLsizei(vertices.triangles.size() * 3)),
+      bytes_(vertices.bytes()),
+      vertices_(context, vertices.values, {3, 3}),
+      indices_(context, GL_ELEMENT_ARRAY_BUFFER, vertices.triangles.data(), vertices.triangle_bytes()) {
   context.check("uploading the mesh");
 }
 
-GlMesh::~GlMesh() {
-  const GlFunctions& gl = context_.functions();
-  gl.glDeleteVertexArrays(1, &vertex_array_);
-}
-
 void GlMesh::draw() const {
-  const GlFunctions& gl = context_.functions();
-  gl.glBindVertexArray(vertex_array_);
-  gl.glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+  vertices_.bind();
+  context_.functions().glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
 }
 
 GBuffer::Faces::Faces(const GlContext& context, int width, int height, const GlTexture& other_depth)

@@ -5,6 +5,7 @@
 
 #include "mesh/triangle_mesh.hpp"
 #include "ssao/gl_objects.hpp"
+#include "ssao/mesh_vertices.hpp"
 #include "ssao/view.hpp"
 
 namespace nook {
@@ -13,21 +14,20 @@ namespace nook {
 class GlMesh {
  public:
   GlMesh(const GlContext& context, const TriangleMesh& mesh);
-  ~GlMesh();
-  GlMesh(const GlMesh&) = delete;
-  GlMesh& operator=(const GlMesh&) = delete;
 
   bool smooth() const { return smooth_; }  ///< normals are interpolated; otherwise each triangle has one
   std::size_t bytes() const { return bytes_; }
   void draw() const;
 
  private:
+  GlMesh(const GlContext& context, bool smooth, const MeshVertices& vertices);
+
   const GlContext& context_;
-  GLuint vertex_array_ = 0;
-  std::unique_ptr<GlBuffer> vertices_, indices_;
-  GLsizei index_count_ = 0;
   bool smooth_;
-  std::size_t bytes_ = 0;
+  GLsizei index_count_;
+  std::size_t bytes_;
+  GlVertexArray vertices_;  // bound when the indices are made: it keeps them
+  GlBuffer indices_;
 };
 
 /// The G-buffer: what the camera sees, pixel by pixel, and the solids behind it.

@@ -1,5 +1,6 @@
 #include "ssao/gl_objects.hpp"
 
+#include <numeric>
 #include <string_view>
 
 #include "base/embedded_file.hpp"
@@ -16,7 +17,7 @@ namespace {
 const char* shader_text(std::string_view path) {
   for (unsigned i = 0; i < glsl::file_count; ++i)
     if (path == glsl::files[i].path) return glsl::files[i].text;
-  throw Error(ExitCode::internal, "no embedded shader '" + std::string(path) + "'");
+  throw Error(ErrorKind::internal, "no embedded shader '" + std::string(path) + "'");
 }
 
 // Compiles version + defines + common + text. The log numbers `text` as source 1, `common` as source 2.
@@ -37,7 +38,7 @@ GLuint compile(const GlContext& context, GLenum stage, const std::string& path, 
   char log[2000] = "";
   gl.glGetShaderInfoLog(shader, sizeof log, nullptr, log);
   gl.glDeleteShader(shader);
-  throw Error(ExitCode::device, path + " does not compile: " + log);
+  throw Error(ErrorKind::device, path + " does not compile: " + log);
 }
 
 }  // namespace
@@ -52,6 +53,36 @@ GlBuffer::GlBuffer(const GlContext& context, GLenum target, const void* data, st
 
 GlBuffer::~GlBuffer() {
   context_.functions().glDeleteBuffers(1, &id_);
+}
+
+GlVertexArray::GlVertexArray(const GlContext& context, std::span<const float> vertices,
+                             std::initializer_list<int> components)
+    : context_(context),
+      id_([&] {
+        GLuint id = 0;
+        context.functions().glGenVertexArrays(1, &id);
+        context.functions().glBindVertexArray(id);
+        return id;
+      }()),
+      vertices_(context, GL_ARRAY_BUFFER, vertices.data(), vertices.size_bytes()) {
+  const GlFunctions& gl = context.functions();
+  const int floats = std::accumulate(components.begin(), components.end(), 0);
+  GLuint attribute = 0;
+  std::size_t before = 0;
+  for (const int count : components) {
+    gl.glEnableVertexAttribArray(attribute);
+    gl.glVertexAttribPointer(attribute++, count, GL_FLOAT, GL_FALSE, GLsizei(floats * sizeof(float)),
+                             reinterpret_cast<const void*>(before));
+    before += std::size_t(count) * sizeof(float);
+  }
+}
+
+GlVertexArray::~GlVertexArray() {
+  context_.functions().glDeleteVertexArrays(1, &id_);
+}
+
+void GlVertexArray::bind() const {
+  context_.functions().glBindVertexArray(id_);
 }
 
 GlTexture::GlTexture(const GlContext& context, GLenum format, int width, int height)
@@ -84,8 +115,8 @@ GlFramebuffer::GlFramebuffer(const GlContext& context, std::initializer_list<con
   if (depth) gl.glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth->id(), 0);
   gl.glDrawBuffers(GLsizei(buffers.size()), buffers.data());
   if (gl.glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-    throw Error(ExitCode::device, "OpenGL cannot draw to floating-point textures of " +
-                                      std::to_string(width_) + "x" + std::to_string(height_) + " pixels");
+    throw Error(ErrorKind::device, "OpenGL cannot draw to floating-point textures of " +
+                                       std::to_string(width_) + "x" + std::to_string(height_) + " pixels");
 }
 
 GlFramebuffer::~GlFramebuffer() {
@@ -134,7 +165,7 @@ GlProgram::GlProgram(const GlContext& context, const std::string& vertex, const 
   char log[2000] = "";
   gl.glGetProgramInfoLog(id_, sizeof log, nullptr, log);
   gl.glDeleteProgram(id_);
-  throw Error(ExitCode::device, vertex + " and " + fragment + " do not link: " + log);
+  throw Error(ErrorKind::device, vertex + " and " + fragment + " do not link: " + log);
 }
 
 GlProgram::~GlProgram() {

@@ -25,6 +25,23 @@ class GlBuffer {
   GLuint id_ = 0;
 };
 
+/// A vertex buffer and how it is laid out: attributes 0, 1, ... of floats, one behind another in each vertex.
+class GlVertexArray {
+ public:
+  /// Bound after it. `components`: floats of each attribute.
+  GlVertexArray(const GlContext& context, std::span<const float> vertices,
+                std::initializer_list<int> components);
+  ~GlVertexArray();
+  GlVertexArray(const GlVertexArray&) = delete;
+  GlVertexArray& operator=(const GlVertexArray&) = delete;
+  void bind() const;
+
+ private:
+  const GlContext& context_;
+  GLuint id_ = 0;
+  GlBuffer vertices_;
+};
+
 /// A 2D texture without mipmaps, read with texelFetch.
 class GlTexture {
  public:

@@ -27,19 +27,19 @@ OsMesaGetProcAddress osmesa_address = nullptr;
 void* open_library() {
   if (const char* name = std::getenv("NOOK_OSMESA"); name && *name) {
     if (void* library = dlopen(name, RTLD_NOW | RTLD_LOCAL)) return library;
-    throw Error(ExitCode::device,
+    throw Error(ErrorKind::device,
                 "cannot load '" + std::string(name) + "' (NOOK_OSMESA), which SSAO draws with");
   }
   for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6"})
     if (void* library = dlopen(name, RTLD_NOW | RTLD_LOCAL)) return library;
-  throw Error(ExitCode::device,
+  throw Error(ErrorKind::device,
               "SSAO needs libOSMesa.so.8, which is not installed (Debian: apt install libosmesa6)");
 }
 
 template <typename Function>
 Function find(void* library, const char* name) {
   if (void* address = dlsym(library, name)) return reinterpret_cast<Function>(address);
-  throw Error(ExitCode::device, "the OSMesa library lacks " + std::string(name));
+  throw Error(ErrorKind::device, "the OSMesa library lacks " + std::string(name));
 }
 
 // An unknown name makes Mesa 22.3 crash.
@@ -48,8 +48,8 @@ void check_driver_choice() {
   if (!driver || !*driver) return;
   const std::string_view name = driver;
   if (name != "llvmpipe" && name != "softpipe")
-    throw Error(ExitCode::device, "GALLIUM_DRIVER is '" + std::string(name) +
-                                      "', which OSMesa does not know (llvmpipe is its default)");
+    throw Error(ErrorKind::device, "GALLIUM_DRIVER is '" + std::string(name) +
+                                       "', which OSMesa does not know (llvmpipe is its default)");
 }
 
 class OsMesa final : public GlContext {
@@ -65,7 +65,7 @@ class OsMesa final : public GlContext {
         osmesa_format, GL_RGBA, osmesa_profile, osmesa_core_profile, osmesa_major, 4, osmesa_minor, 5, 0};
     context_ = create(attributes, nullptr);
     if (!context_)
-      throw Error(ExitCode::device, "OSMesa cannot make an OpenGL 4.5 core context, which SSAO needs");
+      throw Error(ErrorKind::device, "OSMesa cannot make an OpenGL 4.5 core context, which SSAO needs");
     try {
       make_current();
       load([](const char* name) { return osmesa_address(name); });
@@ -78,7 +78,7 @@ class OsMesa final : public GlContext {
 
   void make_current() override {
     if (!make_current_(context_, pixel_.data(), GL_UNSIGNED_BYTE, 1, 1))
-      throw Error(ExitCode::device, "OSMesa cannot make its context current");
+      throw Error(ErrorKind::device, "OSMesa cannot make its context current");
   }
 
  private:

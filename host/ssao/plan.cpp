@@ -46,11 +46,11 @@ void spend(SsaoPlan& plan, Quality quality) {
 
 SsaoPlan plan_ssao(const SsaoSettings& settings, const Bounds3& bounds) {
   if (settings.samples < 1 || settings.samples > 32)
-    throw Error(ExitCode::scene, "SSAO takes 1 to 32 samples, not " + std::to_string(settings.samples));
+    throw Error(ErrorKind::scene, "SSAO takes 1 to 32 samples, not " + std::to_string(settings.samples));
   if (!(settings.radius >= 0) || !std::isfinite(settings.radius))
-    throw Error(ExitCode::scene, "the SSAO radius must be a finite number and not negative");
+    throw Error(ErrorKind::scene, "the SSAO radius must be a finite number and not negative");
   if (!(settings.bias >= 0) || !std::isfinite(settings.bias))
-    throw Error(ExitCode::scene, "the SSAO bias must be a finite number and not negative");
+    throw Error(ErrorKind::scene, "the SSAO bias must be a finite number and not negative");
   SsaoPlan plan;
   plan.method = settings.method;
   plan.radius = settings.radius > 0 ? settings.radius : 0.5f * bounds.bounding_radius();

@@ -16,8 +16,8 @@ struct SsaoPlan {
       false;            ///< point: independent directions, and the sum clamped to 1 (compat = "tinyrender")
   int directions = 32;  ///< point, march: directions a pixel; gtao: slices, two directions each
   int steps = 1;        ///< march (at least 2), gtao: steps along a direction
-  int layers =
-      1;  ///< 1: the front, 2: with the nearest back face, more: so many faces along each pixel's view ray
+  int layers = 1;  ///< 1: the front, 2: with the nearest back face, more: that number of faces along each
+                   ///< pixel's view ray
   float thickness = 0;  ///< more than two layers: of sheets, and of solids at least; a share of the radius
   bool half_resolution = false;   ///< shade every other pixel of every other row, then upsample
   int denoise_radius = 0;         ///< pixels of the shaded image; 0: no denoiser

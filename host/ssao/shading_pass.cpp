@@ -51,6 +51,9 @@ GlProgram::Defines estimator_defines(const SsaoPlan& plan) {
   return defines;
 }
 
+// Position and uv of a triangle strip; rows run downwards (glClipControl), so that v = 0 is the top row.
+constexpr float quad_corners[] = {-1, 1, 0, 0, 1, 1, 1, 0, -1, -1, 0, 1, 1, -1, 1, 1};
+
 }  // namespace
 
 ShadingTargets::ShadingTargets(const GlContext& context, int width, int height, bool half_resolution)
@@ -64,24 +67,8 @@ ShadingTargets::ShadingTargets(const GlContext& context, int width, int height, 
   }
 }
 
-ShadingPass::ShadingPass(const GlContext& context) : context_(context) {
-  const GlFunctions& gl = context.functions();
-  gl.glGenVertexArrays(1, &vertex_array_);
-  gl.glBindVertexArray(vertex_array_);
-  // Position and uv of a triangle strip; rows run downwards (glClipControl), so that v = 0 is the top row.
-  const float corners[] = {-1, 1, 0, 0, 1, 1, 1, 0, -1, -1, 0, 1, 1, -1, 1, 1};
-  quad_ = std::make_unique<GlBuffer>(context, GL_ARRAY_BUFFER, corners, sizeof corners);
-  const GLsizei stride = 4 * sizeof(float);
-  gl.glEnableVertexAttribArray(0);
-  gl.glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, stride, nullptr);
-  gl.glEnableVertexAttribArray(1);
-  gl.glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, stride,
-                           reinterpret_cast<const void*>(2 * sizeof(float)));
-}
-
-ShadingPass::~ShadingPass() {
-  context_.functions().glDeleteVertexArrays(1, &vertex_array_);
-}
+ShadingPass::ShadingPass(const GlContext& context)
+    : context_(context), quad_(context, quad_corners, {2, 2}) {}
 
 const GlProgram& ShadingPass::use(const std::string& fragment, const GlProgram::Defines& defines,
                                   const SsaoView& view, const GBuffer& buffer) {
@@ -100,10 +87,9 @@ const GlProgram& ShadingPass::use(const std::string& fragment, const GlProgram::
 }
 
 void ShadingPass::draw_quad(const GlFramebuffer& target) {
-  const GlFunctions& gl = context_.functions();
   target.bind();
-  gl.glBindVertexArray(vertex_array_);
-  gl.glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  quad_.bind();
+  context_.functions().glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
 const GlFramebuffer& ShadingPass::draw(const SsaoPlan& plan, const SsaoView& view, const GBuffer& buffer,

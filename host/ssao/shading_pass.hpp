@@ -23,7 +23,6 @@ struct ShadingTargets {
 class ShadingPass {
  public:
   explicit ShadingPass(const GlContext& context);
-  ~ShadingPass();
   ShadingPass(const ShadingPass&) = delete;
   ShadingPass& operator=(const ShadingPass&) = delete;
 
@@ -38,8 +37,7 @@ class ShadingPass {
   void draw_quad(const GlFramebuffer& target);
 
   const GlContext& context_;
-  GLuint vertex_array_ = 0;
-  std::unique_ptr<GlBuffer> quad_;
+  GlVertexArray quad_;
   std::map<std::string, std::unique_ptr<GlProgram>> programs_;  ///< by fragment shader and defines
 };
 

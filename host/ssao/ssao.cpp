@@ -118,9 +118,9 @@ SsaoFrame SsaoRenderer::render(const Camera& camera, const SsaoPlan& plan, int w
   GLint largest = 0;
   s.context->functions().glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
   if (std::max(view.buffer_width(), view.buffer_height()) > largest)
-    throw Error(ExitCode::device, "SSAO of " + std::to_string(width) + "x" + std::to_string(height) +
-                                      " pixels does not fit: OpenGL takes at most " +
-                                      std::to_string(largest) + " pixels on a side, guard band included");
+    throw Error(ErrorKind::device, "SSAO of " + std::to_string(width) + "x" + std::to_string(height) +
+                                       " pixels does not fit: OpenGL takes at most " +
+                                       std::to_string(largest) + " pixels on a side, guard band included");
   const bool exact = plan.method == SsaoSettings::Method::point || outputs.positions || outputs.normals;
   const State::Shape shape{width, height, view.guard, plan.layers, exact, plan.half_resolution};
   if (!s.buffer || shape != s.shape) {

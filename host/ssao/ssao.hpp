@@ -26,7 +26,7 @@ struct SsaoTiming {
 /// A finished frame: planes of width * height values, row-major, row 0 at the top.
 struct SsaoFrame {
   int width = 0, height = 0;
-  std::vector<float> occlusion;  ///< 1 open, 0 occluded; background: 0, as the path tracer's miss
+  std::vector<float> occlusion;  ///< 1 open, 0 occluded; background: 0, as where a camera ray misses
   std::vector<float> coverage;   ///< 1 where the pixel's centre sees the mesh, else 0
   std::vector<vec3> positions;   ///< world space; background: 0. Empty unless asked for
   std::vector<vec3> normals;     ///< shading normals, world space, unit, never flipped; background: 0

@@ -32,9 +32,9 @@ SsaoView make_ssao_view(const Camera& camera, int width, int height, int guard) 
   const dvec3 forward = camera.at - camera.eye;
   const dvec3 right = glm::cross(forward, dvec3(camera.up));
   if (!(glm::dot(forward, forward) > 0))
-    throw Error(ExitCode::scene, "the camera's eye and at are the same point");
+    throw Error(ErrorKind::scene, "the camera's eye and at are the same point");
   if (!(glm::length(right) > 1e-7 * glm::length(forward) * glm::length(dvec3(camera.up))))
-    throw Error(ExitCode::scene, "the camera's up is along its line of sight");
+    throw Error(ErrorKind::scene, "the camera's up is along its line of sight");
   SsaoView view;
   const dvec3 unit_forward = glm::normalize(forward), unit_right = glm::normalize(right);
   view.eye = vec3(camera.eye);

@@ -11,7 +11,7 @@ namespace nook {
 /// the image does not show. Buffer coordinates are continuous, row 0 at the top: the centre of image pixel
 /// (x, y) is (guard + x + .5, guard + y + .5). A buffer position q and a depth z > 0 are the view-space point
 ///   x = z (q ray_scale + ray_offset, -1),
-/// which for guard = 0 are the path tracer's camera rays (kernels/sample/camera.cl).
+/// which for guard = 0 are the camera rays (kernels/sample/camera.cl).
 struct SsaoView {
   vec3 eye{0}, right{1, 0, 0}, up{0, 1, 0}, backward{0, 0, 1};  ///< world; the last three unit and orthogonal
   int width = 0, height = 0;                                    ///< of the image, pixels

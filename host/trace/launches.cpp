@@ -1,4 +1,4 @@
-// Cuts what is asked of the path tracer into batches of equal tasks.
+// Cuts what is asked of the occlusion tracer into batches of equal tasks.
 #include <algorithm>
 
 #include "trace/launch.hpp"

@@ -19,7 +19,7 @@ std::optional<Traversal> traversal_of_environment() {
       {"stream", Traversal::stream}, {"portable", Traversal::portable}, {"scalar", Traversal::scalar}};
   for (const auto& [word, traversal] : known)
     if (name == word) return traversal;
-  throw Error(ExitCode::usage,
+  throw Error(ErrorKind::usage,
               std::string("NOOK_TRAVERSAL is '") + name + "'; it must be stream, portable or scalar");
 }
 

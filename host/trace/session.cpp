@@ -39,14 +39,14 @@ Session::Session(OcclusionTracer& tracer, const Plan& plan, FilmPart::Texts iden
 void Session::resume(FilmPart part, const std::string& file) {
   part.layers = part_.layers;  // the caller's to name
   if (const std::string why = difference(part, file, part_, "this render"); !why.empty())
-    throw Error(ExitCode::scene, why);
+    throw Error(ErrorKind::scene, why);
   std::vector<std::uint32_t> expected(order_.size());
   for (const SampleBox& box : part.held)
     for (std::uint32_t p = box.pixel_begin; p < box.pixel_end; ++p)
       expected[film_index(p)] += box.end - box.first;
   for (const Film& film : part.films)
     if (film.replicates != expected)
-      throw Error(ExitCode::scene, fmt::format("{}: damaged: its sums and its sample ranges disagree", file));
+      throw Error(ErrorKind::scene, Place{file}, "damaged: its sums and its sample ranges disagree");
   held_ = HeldSamples(part.held);
   samples_held_ = samples_in(held_.boxes());
   part_ = std::move(part);

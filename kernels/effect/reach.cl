@@ -62,7 +62,7 @@ bool in_reach(__global const BvhNode* nodes, __global const TriangleLeaf* leaves
 
 #endif
 
-// From so many rays on a point is asked about by itself; below, the points of a task together.
+// From this number of rays on a point is asked about by itself; below, the points of a task together.
 #define ASKED_ALONE 16u
 
 // A stream's points, by sample.

@@ -113,7 +113,7 @@ bool triangle_occludes(float3 o, float3 d, const RayShear* s, float max_distance
   return distance > 0.0f && distance < max_distance;
 }
 
-// Up to so many near_heights, a hit's distance is taken from the plane, so that it is right to a thousandth of itself at worst.
+// Up to this number of near_heights, a hit's distance is taken from the plane, so that it is right to a thousandth of itself at worst.
 #define NEAR_HITS 1024.0f
 
 // The same with the place: true for 0 < t < *limit; then *limit = t and hit = (1-u-v) p0 + u p1 + v p2.

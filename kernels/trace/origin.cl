@@ -56,7 +56,7 @@ INLINE float distance_off(Vector point, Vector normal, float extent, float seen_
   return rounding + 9.536743e-7f * lesser(extent, greater(greater(greater(x, y), z), seen_from)) + 9.094947e-13f * extent;
 }
 
-// Above so many distances from the eye, a triangle's extent is so large that barycentrics place the point worse than the ray does.
+// Triangles that are larger than this multiple of the distance from the eye: there barycentrics place a point worse than the ray does.
 #define GIANT_EXTENT 4096.0f
 
 // Origin for rays that leave the point (1-u-v) p0 + u p1 + v p2 of a triangle, which eye + t d meets there.

@@ -13,7 +13,7 @@
 
 #define GROUP 16u  // rays in a vector; a packet is one or two of them
 #define GROUP_RAYS 0xffffu
-#define FEW_RAYS 6u  // up to so many rays meet a leaf faster one by one, its triangles as lanes
+#define FEW_RAYS 6u  // up to this number, rays meet a leaf faster one by one, its triangles as lanes
 
 typedef struct {
   float3 origin;

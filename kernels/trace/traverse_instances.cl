@@ -3,6 +3,7 @@
 #ifndef NOOK_TRAVERSE_INSTANCES_CL
 #define NOOK_TRAVERSE_INSTANCES_CL
 
+#include "trace/insertion.cl"
 #include "trace/placed_tree.cl"
 #include "trace/stream_tests.cl"
 
@@ -53,6 +54,11 @@ uint stream_occluded(BVH_PARAMS, const RayDirections* origins, const RayDirectio
   }
   return active & ~open;
 }
+
+#define MOVE_PLACED_STREAM(to, from)  \
+  stack_item[to] = stack_item[from];   \
+  stack_rays[to] = stack_rays[from];   \
+  stack_instance[to] = stack_instance[from];
 
 // The nearest hits, front to back by the distance at which the first of the rays enters.
 void stream_closest(BVH_PARAMS, const RayDirections* origins, const RayDirections* d, uint active, bool shared_origin, float* t,
@@ -108,17 +114,11 @@ void stream_closest(BVH_PARAMS, const RayDirections* origins, const RayDirection
     for (uint lanes = NONZERO_CHILDREN(met); lanes; lanes &= lanes - 1) {
       const uint lane = LOWEST_BIT(lanes);
       PREFETCH_ITEM(opened.child[lane])
-      uint place = size++;  // insertion keeps the nearest on top
-      for (; place > first && stack_entry[place - 1] < lane_entry[lane]; --place) {
-        stack_item[place] = stack_item[place - 1];
-        stack_rays[place] = stack_rays[place - 1];
-        stack_instance[place] = stack_instance[place - 1];
-        stack_entry[place] = stack_entry[place - 1];
-      }
+      uint place = size++;
+      INSERT_BY_ENTRY(place, first, stack_entry, lane_entry[lane], MOVE_PLACED_STREAM)
       stack_item[place] = opened.child[lane];
       stack_rays[place] = lane_rays[lane];
       stack_instance[place] = opened.instance[lane];
-      stack_entry[place] = lane_entry[lane];
     }
   }
 }

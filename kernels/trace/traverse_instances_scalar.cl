@@ -3,6 +3,7 @@
 #ifndef NOOK_TRAVERSE_INSTANCES_SCALAR_CL
 #define NOOK_TRAVERSE_INSTANCES_SCALAR_CL
 
+#include "trace/insertion.cl"
 #include "trace/intersect.cl"
 #include "trace/leaf_holes.cl"
 #include "trace/placed_tree.cl"
@@ -107,6 +108,8 @@ bool occluded_ray(BVH_PARAMS, float3 o, float3 d, float max_distance) {
   return false;
 }
 
+#define MOVE_PLACED_RAY(to, from) stack[to] = stack[from]; stack_instance[to] = stack_instance[from];
+
 // The nearest of equally near triangles is the one of the lowest number in the scene.
 bool closest_ray(BVH_PARAMS, float3 o, float3 d, float* t, uint* triangle, float* u, float* v) {
   const float3 inverse = 1.0f / d;
@@ -149,15 +152,10 @@ bool closest_ray(BVH_PARAMS, float3 o, float3 d, float* t, uint* triangle, float
       if (!open_child(nodes, leaves, instances, item, instance, lane, &lo, &hi, &child, &child_instance)) break;
       const float enter = enter_box(lo, hi, o, inverse, *t);
       if (!(enter < INFINITY)) continue;
-      uint place = size++;  // insertion keeps the nearest child on top
-      for (; place > first && entry[place - 1] < enter; --place) {
-        stack[place] = stack[place - 1];
-        stack_instance[place] = stack_instance[place - 1];
-        entry[place] = entry[place - 1];
-      }
+      uint place = size++;
+      INSERT_BY_ENTRY(place, first, entry, enter, MOVE_PLACED_RAY)
       stack[place] = child;
       stack_instance[place] = child_instance;
-      entry[place] = enter;
     }
   }
   *triangle = found;

@@ -2,6 +2,7 @@
 #ifndef NOOK_TRAVERSE_PACKET_CL
 #define NOOK_TRAVERSE_PACKET_CL
 
+#include "trace/insertion.cl"
 #include "trace/packet_tests.cl"
 
 #if !INSTANCES
@@ -15,6 +16,8 @@ INLINE float farthest(const float* t, uint rays) {
   }
   return most_lane(most);
 }
+
+#define MOVE_PACKET(to, from) stack_item[to] = stack_item[from]; stack_rays[to] = stack_rays[from];
 
 // The arrays are of 32; the entries that are not in `active` may be written.
 void packet_closest(BVH_PARAMS, const StreamRays* r, const Packet* p, uint active, float* t, uint* triangle, float* u, float* v) {
@@ -60,15 +63,10 @@ void packet_closest(BVH_PARAMS, const StreamRays* r, const Packet* p, uint activ
         if (!met) continue;
         const uint child = BVH_ITEM(node, lane);
         PREFETCH_ITEM(child)
-        uint place = size++;  // insertion keeps the nearest on top
-        for (; place > first && stack_entry[place - 1] < lane_entry[lane]; --place) {
-          stack_item[place] = stack_item[place - 1];
-          stack_rays[place] = stack_rays[place - 1];
-          stack_entry[place] = stack_entry[place - 1];
-        }
+        uint place = size++;
+        INSERT_BY_ENTRY(place, first, stack_entry, lane_entry[lane], MOVE_PACKET)
         stack_item[place] = child;
         stack_rays[place] = met;
-        stack_entry[place] = lane_entry[lane];
       }
     }
   }

@@ -2,6 +2,7 @@
 #ifndef NOOK_TRAVERSE_SCALAR_CL
 #define NOOK_TRAVERSE_SCALAR_CL
 
+#include "trace/insertion.cl"
 #include "trace/intersect.cl"
 #include "trace/leaf_holes.cl"
 
@@ -40,6 +41,8 @@ bool occluded_ray(BVH_PARAMS, float3 o, float3 d, float max_distance) {
   return false;
 }
 
+#define MOVE_RAY(to, from) stack[to] = stack[from];
+
 // The nearest of equally near triangles is the one of the lowest index, whatever the order of the visit.
 bool closest_ray(BVH_PARAMS, float3 o, float3 d, float* t, uint* triangle, float* u, float* v) {
   const float3 inverse = 1.0f / d;
@@ -75,14 +78,9 @@ bool closest_ray(BVH_PARAMS, float3 o, float3 d, float* t, uint* triangle, float
       for (uint lane = 0; lane < BVH_CHILDREN(node); ++lane) {
         const float enter = enter_child(node, lane, o, inverse, *t);
         if (!(enter < INFINITY)) continue;
-        // Insertion keeps the nearest child on top.
         uint place = size++;
-        for (; place > first && entry[place - 1] < enter; --place) {
-          stack[place] = stack[place - 1];
-          entry[place] = entry[place - 1];
-        }
+        INSERT_BY_ENTRY(place, first, entry, enter, MOVE_RAY)
         stack[place] = BVH_ITEM(node, lane);
-        entry[place] = enter;
       }
     }
   }

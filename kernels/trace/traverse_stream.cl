@@ -3,6 +3,7 @@
 #ifndef NOOK_TRAVERSE_STREAM_CL
 #define NOOK_TRAVERSE_STREAM_CL
 
+#include "trace/insertion.cl"
 #include "trace/lane_lists.cl"
 #include "trace/stream_tests.cl"
 #include "trace/traverse_packet.cl"
@@ -106,6 +107,8 @@ uint stream_occluded(BVH_PARAMS, const RayDirections* origins, const RayDirectio
   return active & ~open;
 }
 
+#define MOVE_STREAM(to, from) stack_item[to] = stack_item[from]; stack_rays[to] = stack_rays[from];
+
 // The nearest hits, front to back by the distance at which the first of the rays enters.
 void stream_closest(BVH_PARAMS, const RayDirections* origins, const RayDirections* d, uint active, bool shared_origin, float* t,
                     uint* triangle, float* u, float* v) {
@@ -155,15 +158,10 @@ void stream_closest(BVH_PARAMS, const RayDirections* origins, const RayDirection
         const uint lane = LOWEST_BIT(lanes);
         const uint child = BVH_ITEM(node, lane);
         PREFETCH_ITEM(child)
-        uint place = size++;  // insertion keeps the nearest on top
-        for (; place > first && stack_entry[place - 1] < lane_entry[lane]; --place) {
-          stack_item[place] = stack_item[place - 1];
-          stack_rays[place] = stack_rays[place - 1];
-          stack_entry[place] = stack_entry[place - 1];
-        }
+        uint place = size++;
+        INSERT_BY_ENTRY(place, first, stack_entry, lane_entry[lane], MOVE_STREAM)
         stack_item[place] = child;
         stack_rays[place] = lane_rays[lane];
-        stack_entry[place] = lane_entry[lane];
       }
     }
   }

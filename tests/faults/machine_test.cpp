@@ -131,7 +131,7 @@ TEST_F(Machine, NoMoreProcesses) {
       check_what_pocl_needs(2);
     } catch (const Error& e) {
       const bool named = std::string(e.what()).find("ulimit -u") != std::string::npos;
-      ::_exit(named && e.code() == ExitCode::device ? 0 : 1);
+      ::_exit(named && e.kind() == ErrorKind::device ? 0 : 1);
     }
     ::_exit(2);
   }

@@ -51,7 +51,7 @@ void read_command_line(const std::string& path) {
     apply_options(arguments, scene);
   } catch (const CLI::Success&) {
   } catch (const CLI::ParseError& e) {
-    throw Error(ExitCode::usage, e.what());
+    throw Error(ErrorKind::usage, e.what());
   }
 }
 

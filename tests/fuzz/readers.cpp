@@ -106,7 +106,7 @@ void read_obj_mesh(const std::string& path) {
     test::write_bytes(library, "newmtl m\nNs 3\nnewmtl n\nmap_d n.png\n");
   const Outcome whole = outcome_of_obj(path, 1 << 21), pieces = outcome_of_obj(path, 40);
   if (!same(whole, pieces)) throw std::logic_error("its pieces change what is read: " + pieces.fault);
-  if (!whole.fault.empty()) throw Error(ExitCode::scene, whole.fault);
+  if (!whole.fault.empty()) throw Error(ErrorKind::scene, whole.fault);
   use(whole.mesh);
 }
 

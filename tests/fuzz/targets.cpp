@@ -237,8 +237,8 @@ void run_once(const Target& target, const std::string& input) {
     target.read(path);
   } catch (const Error& error) {
     const std::string message = error.what();
-    if (target.read == read_command_line && error.code() == ExitCode::usage) return;  // quotes arguments
-    if (error.code() != ExitCode::scene) throw std::logic_error("exit code of: " + message);
+    if (target.read == read_command_line && error.kind() == ErrorKind::usage) return;  // quotes arguments
+    if (error.kind() != ErrorKind::scene) throw std::logic_error("exit code of: " + message);
     if (message.empty() || message.find('\n') != std::string::npos)
       throw std::logic_error("not one line: " + message);
     if (message.size() > 2000) throw std::logic_error("too long a line: " + message.substr(0, 200));

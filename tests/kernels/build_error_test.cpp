@@ -27,7 +27,7 @@ TEST(BuildError, NamesTheKernelsFileAndLine) {
     ADD_FAILURE() << "it builds";
   } catch (const Error& error) {
     const std::string message = error.what();
-    EXPECT_EQ(error.code(), ExitCode::device);
+    EXPECT_EQ(error.kind(), ErrorKind::device);
     EXPECT_NE(message.find("kernels/sample/warp.cl:" + std::to_string(line)), std::string::npos) << message;
     EXPECT_NE(message.find("undeclared"), std::string::npos) << message;
     EXPECT_NE(message.find("CL_BUILD_PROGRAM_FAILURE"), std::string::npos) << message;

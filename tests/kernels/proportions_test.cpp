@@ -74,7 +74,8 @@ void add_about(TriangleMesh& mesh, Random& random, const dvec3& place, double di
   test::add_triangle(mesh, p[0], p[1], p[2]);
 }
 
-// Walls, needles and dust about the origin. `dust`: so many tiny triangles besides, for a tree of many nodes.
+// Walls, needles and dust about the origin. `dust`: the number of tiny triangles besides, for a tree of many
+// nodes.
 TriangleMesh scene(Random& random, unsigned walls, unsigned dust) {
   TriangleMesh mesh;
   for (unsigned i = 0; i < walls; ++i) {

@@ -227,9 +227,9 @@ TEST(BakeTexture, OverlapsAreCountedOnce) {
 TEST(BakeTexture, RefusesMeshesWithoutACompleteMap) {
   const TemporaryFolder folder;
   TriangleMesh mesh = mesh_of(folder, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  expect_error(ExitCode::scene, "no triangle has texture coordinates", [&] { texture_points(mesh, 8); });
+  expect_error(ErrorKind::scene, "no triangle has texture coordinates", [&] { texture_points(mesh, 8); });
   mesh = mesh_of(folder, "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 2 0\nvt 0 1\nf 1/1 2/2 3/3\n");
-  expect_error(ExitCode::scene, "(2, 0) of triangle 1 lie outside 0 to 1", [&] { texture_points(mesh, 8); });
+  expect_error(ErrorKind::scene, "(2, 0) of triangle 1 lie outside 0 to 1", [&] { texture_points(mesh, 8); });
 }
 
 }  // namespace

@@ -237,7 +237,7 @@ TEST(Sets, UnknownNamesNameTheKnownOnes) {
   scene.mesh_file = "small.obj";
   scene.effects = {ao_within_five()};
   scene.effects[0].receivers = {"flor"};
-  expect_error(ExitCode::scene,
+  expect_error(ErrorKind::scene,
                "s.toml: receivers: no group or material 'flor' in small.obj, did you mean 'floor'? (groups "
                "and materials: "
                "'box', 'floor', 'glossy', 'plain', 'wall')",

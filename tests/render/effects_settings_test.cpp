@@ -167,7 +167,7 @@ TEST(EffectSettings, ContradictionsAreRefused) {
     scene.file = "scene.toml";
     scene.effects = {ao_within(2)};
     change(scene.effects[0]);
-    expect_error(ExitCode::scene, "scene.toml: " + message, [&] { make_plan(scene, mesh); });
+    expect_error(ErrorKind::scene, "scene.toml: " + message, [&] { make_plan(scene, mesh); });
   };
   refuse("falloff = \"linear\" needs a max_distance", [](Effect& e) {
     e.falloff = Falloff::linear;

@@ -72,7 +72,7 @@ std::vector<Variant> variants() {
   return all;
 }
 
-/// A wavy floor with a normal of its own under a plate with a hole. Of so many triangles that the tree has
+/// A wavy floor with a normal of its own under a plate with a hole. Of enough triangles for the tree to have
 /// nodes below its root: a tree of one node is traversed in another way.
 constexpr int floor_side = 12;  // quads
 std::string floor_faces() {

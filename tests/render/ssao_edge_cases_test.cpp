@@ -58,7 +58,7 @@ TEST(SsaoEdgeCases, FramesRepeatToTheBit) {
 
 TEST(SsaoEdgeCases, RefusesAnImageBeyondTheDevicesSize) {
   SsaoRenderer renderer(test::asymmetric_scene());
-  test::expect_error(ExitCode::device, "does not fit",
+  test::expect_error(ErrorKind::device, "does not fit",
                      [&] { renderer.render(test::asymmetric_camera, SsaoSettings{}, 100000, 1); });
 }
 

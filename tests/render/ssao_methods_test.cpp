@@ -110,7 +110,7 @@ TEST(SsaoMethods, TiltedPlaneIsExactlyOne) {
 TEST(SsaoMethods, NoHaloAroundAThinBoard) {
   TriangleMesh mesh;
   test::add_quad(mesh, {-10, -10, -5}, {20, 0, 0}, {0, 20, 0});
-  test::add_box(mesh, {-0.5f, -0.5f, -0.05f}, {1, 1, 0.05f});
+  test::add_box_of(mesh, {-0.5f, -0.5f, -0.05f}, {1, 1, 0.05f});
   for (const Method method : {Method::gtao, Method::march}) {
     SsaoSettings settings;
     settings.method = method;

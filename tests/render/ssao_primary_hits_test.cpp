@@ -1,4 +1,4 @@
-// What SSAO's G-buffer holds, against the path tracer's primary hits: both by the whole program.
+// What SSAO's G-buffer holds, against the camera rays' hits: both by the whole program.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -53,7 +53,7 @@ void expect_equal_surfaces(const std::string& more) {
   EXPECT_LE(edges, 6);
 }
 
-TEST(SsaoPrimaryHits, EqualThePathTracers) {
+TEST(SsaoPrimaryHits, EqualTheCameraRays) {
   expect_equal_surfaces("");
 }
 

@@ -4,38 +4,22 @@
 
 #include "mesh/triangle_mesh.hpp"
 #include "scene/scene.hpp"
+#include "support/meshes.hpp"
 
 namespace nook::test {
 
-/// Appends the parallelogram p, p+u, p+u+v, p+v; its normal is along cross(u, v).
-inline void add_quad(TriangleMesh& mesh, const vec3& p, const vec3& u, const vec3& v) {
-  const auto first = std::uint32_t(mesh.positions.size());
-  for (const vec3& corner : {p, p + u, p + u + v, p + v}) {
-    mesh.positions.push_back(corner);
-    mesh.bounds.add(corner);
-  }
-  mesh.triangles.push_back({first, first + 1, first + 2});
-  mesh.triangles.push_back({first, first + 2, first + 3});
-}
-
 /// Appends the box from p to p + size, seen from outside.
-inline void add_box(TriangleMesh& mesh, const vec3& p, const vec3& size) {
-  const vec3 x(size.x, 0, 0), y(0, size.y, 0), z(0, 0, size.z);
-  add_quad(mesh, p, y, x);
-  add_quad(mesh, p + z, x, y);
-  add_quad(mesh, p, z, y);
-  add_quad(mesh, p + x, y, z);
-  add_quad(mesh, p, x, z);
-  add_quad(mesh, p + y, z, x);
+inline void add_box_of(TriangleMesh& mesh, const vec3& p, const vec3& size) {
+  add_box(mesh, p, p + size);
 }
 
 /// A floor and three boxes without any symmetry: a mirrored, turned or flipped picture differs everywhere.
 inline TriangleMesh asymmetric_scene() {
   TriangleMesh mesh;
   add_quad(mesh, {-2, 0, -2}, {0, 0, 4}, {4, 0, 0});
-  add_box(mesh, {-1.3f, 0, -0.4f}, {0.5f, 0.9f, 0.6f});
-  add_box(mesh, {0.2f, 0, 0.3f}, {0.9f, 0.3f, 0.2f});
-  add_box(mesh, {0.4f, 0.7f, -1.1f}, {0.3f, 0.3f, 0.3f});
+  add_box_of(mesh, {-1.3f, 0, -0.4f}, {0.5f, 0.9f, 0.6f});
+  add_box_of(mesh, {0.2f, 0, 0.3f}, {0.9f, 0.3f, 0.2f});
+  add_box_of(mesh, {0.4f, 0.7f, -1.1f}, {0.3f, 0.3f, 0.3f});
   return mesh;
 }
 

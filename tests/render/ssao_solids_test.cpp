@@ -42,9 +42,9 @@ float darkest_of_the_wall(const TriangleMesh& mesh, const SsaoPlan& plan) {
 // belong together.
 TEST(SsaoSolids, PartsThatPassThroughOneAnotherHideNothingBehind) {
   TriangleMesh mesh = wall();
-  test::add_box(mesh, {-0.8f, -0.4f, -1}, {1.6f, 0.8f, 1});
-  test::add_box(mesh, {-0.5f, -0.6f, -0.3f}, {1, 1.2f, 0.5f});
-  test::add_box(mesh, {-0.3f, -0.5f, -1.2f}, {0.6f, 1, 0.5f});
+  test::add_box_of(mesh, {-0.8f, -0.4f, -1}, {1.6f, 0.8f, 1});
+  test::add_box_of(mesh, {-0.5f, -0.6f, -0.3f}, {1, 1.2f, 0.5f});
+  test::add_box_of(mesh, {-0.3f, -0.5f, -1.2f}, {0.6f, 1, 0.5f});
   for (const Method method : {Method::gtao, Method::march})
     EXPECT_GT(darkest_of_the_wall(mesh, accurate(method, mesh)), 0.999f) << int(method);
 }
@@ -85,7 +85,7 @@ double mean_beside_the_plate(const TriangleMesh& mesh, const SsaoPlan& plan) {
 TriangleMesh plate(float thickness) {
   TriangleMesh mesh;
   test::add_quad(mesh, {-4, 0, -4}, {0, 0, 8}, {8, 0, 0});
-  test::add_box(mesh, {-thickness, 0, -2}, {thickness, 1, 4});
+  test::add_box_of(mesh, {-thickness, 0, -2}, {thickness, 1, 4});
   return mesh;
 }
 

@@ -263,7 +263,7 @@ TEST_F(CoverageTest, TheForecastOfTimeHolds) {
   }
 }
 
-TEST_F(CoverageTest, AMissedTargetIsExitCode5) {
+TEST_F(CoverageTest, AMissedTargetIsErrorKind5) {
   const std::string render = std::string(NOOK_PROGRAM) + " render " +
                              (folder_.path() / "ceiling.obj").string() + " --quiet --size 64x64 ";
   const auto code = [](const std::string& command) {

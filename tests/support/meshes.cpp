@@ -15,6 +15,10 @@ void add_quad(TriangleMesh& mesh, const vec3& a, const vec3& b, const vec3& c, c
   mesh.triangles.push_back({n, n + 2, n + 3});
 }
 
+void add_quad(TriangleMesh& mesh, const vec3& p, const vec3& u, const vec3& v) {
+  add_quad(mesh, p, p + u, p + u + v, p + v);
+}
+
 void add_box(TriangleMesh& mesh, const vec3& lo, const vec3& hi, bool inwards) {
   for (int axis = 0; axis < 3; ++axis)
     for (bool upper : {false, true}) {

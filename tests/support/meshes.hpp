@@ -10,6 +10,9 @@ namespace nook::test {
 /// front.
 void add_quad(TriangleMesh& mesh, const vec3& a, const vec3& b, const vec3& c, const vec3& d);
 
+/// The parallelogram p, p+u, p+u+v, p+v; its normal is along cross(u, v).
+void add_quad(TriangleMesh& mesh, const vec3& p, const vec3& u, const vec3& v);
+
 /// The axis-aligned box, faces outwards (or inwards).
 void add_box(TriangleMesh& mesh, const vec3& lo, const vec3& hi, bool inwards = false);
 

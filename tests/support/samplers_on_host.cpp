@@ -5,20 +5,7 @@
 
 namespace nook::test::kernels_as_cpp {
 
-// As much of OpenCL C as the samplers use.
-using uint = std::uint32_t;
-using ulong = std::uint64_t;
-struct float2 {
-  float x, y;
-};
-struct uint4 {
-  uint x, y, z, w;
-};
-using std::fmin;
-inline uint clz(uint x) {
-  return x == 0u ? 32u : static_cast<uint>(__builtin_clz(x));
-}
-#define __constant static const
+#include "support/opencl_as_cpp.hpp"
 
 #include "kernels/sample/halton.cl"
 #include "kernels/sample/random.cl"

@@ -78,10 +78,10 @@ TEST(Checkpoint, EveryTruncationIsFound) {
   const std::string bytes = read_bytes(folder / "a.nook");
   for (std::size_t size = 0; size < bytes.size(); size += 7) {
     write_bytes(folder / "b.nook", bytes.substr(0, size));
-    expect_error(ExitCode::scene, "b.nook: ", [&] { read_film_part(folder / "b.nook"); });
+    expect_error(ErrorKind::scene, "b.nook: ", [&] { read_film_part(folder / "b.nook"); });
   }
   write_bytes(folder / "b.nook", bytes + "x");
-  expect_error(ExitCode::scene, "b.nook: truncated or damaged", [&] { read_film_part(folder / "b.nook"); });
+  expect_error(ErrorKind::scene, "b.nook: truncated or damaged", [&] { read_film_part(folder / "b.nook"); });
 }
 
 TEST(Checkpoint, EveryFlippedBitIsFound) {
@@ -93,7 +93,7 @@ TEST(Checkpoint, EveryFlippedBitIsFound) {
     std::string flipped = bytes;
     flipped[at] = char(flipped[at] ^ (1 << random() % 8));
     write_bytes(folder / "b.nook", flipped);
-    expect_error(ExitCode::scene, "b.nook: ", [&] { read_film_part(folder / "b.nook"); });
+    expect_error(ErrorKind::scene, "b.nook: ", [&] { read_film_part(folder / "b.nook"); });
   }
 }
 
@@ -103,7 +103,8 @@ TEST(Checkpoint, FullDiskKeepsTheOlderFile) {
   write_film_part(folder / "a.nook", older);
   {
     FileSizeLimit limit(500);
-    expect_error(ExitCode::output, "a.nook", [&] { write_film_part(folder / "a.nook", made_up_part(0, 9)); });
+    expect_error(ErrorKind::output, "a.nook",
+                 [&] { write_film_part(folder / "a.nook", made_up_part(0, 9)); });
   }
   EXPECT_EQ(folder.entries(), 1);
   expect_same(read_film_part(folder / "a.nook"), older);
@@ -128,19 +129,19 @@ TEST(Checkpoint, PartsJoinInAnyOrderToTheSame) {
 TEST(Checkpoint, RefusesWhatDoesNotBelongTogether) {
   const FilmPart part = made_up_part(0, 5);
   FilmPart joined = part;
-  expect_error(ExitCode::scene, "b: samples 4 to 4 of 15 pixels are in another part already",
+  expect_error(ErrorKind::scene, "b: samples 4 to 4 of 15 pixels are in another part already",
                [&] { join_film_part(joined, "a", made_up_part(4, 9), "b"); });
   FilmPart other = made_up_part(5, 9);
   other.identity[0].second = "8";
-  expect_error(ExitCode::scene, "a and b differ in seed: 7 and 8",
+  expect_error(ErrorKind::scene, "a and b differ in seed: 7 and 8",
                [&] { join_film_part(joined, "a", other, "b"); });
   other = made_up_part(5, 9);
   other.films.pop_back();
-  expect_error(ExitCode::scene, "a and b are not parts of one picture",
+  expect_error(ErrorKind::scene, "a and b are not parts of one picture",
                [&] { join_film_part(joined, "a", other, "b"); });
   other = made_up_part(5, 9);
   std::get<std::vector<float>>(other.surface[0].values)[3] = 1;
-  expect_error(ExitCode::scene, "a and b differ in their channel Z",
+  expect_error(ErrorKind::scene, "a and b differ in their channel Z",
                [&] { join_film_part(joined, "a", other, "b"); });
   expect_same(joined, part);
 }

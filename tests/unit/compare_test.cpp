@@ -142,7 +142,7 @@ TEST(Compare, FilesAndJson) {
   EXPECT_EQ(json["worst"]["x"], 1);
   EXPECT_TRUE(comparison_text(c, options).ends_with("FAILURE\n"));
   options.b = folder / "none.exr";
-  test::expect_error(ExitCode::scene, "none.exr", [&] { compare_files(options); });
+  test::expect_error(ErrorKind::scene, "none.exr", [&] { compare_files(options); });
 }
 
 TEST(ErrorImage, ExrHoldsTheSignedDifferences) {

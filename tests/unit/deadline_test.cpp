@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::uint64_t most = 1u << 22;
 
-// A device of so many rays a second, two launches under way at any time; the first is slow besides, for it
-// loads code. Returns when it has stopped.
+// A device of a given number of rays a second, two launches under way at any time; the first is slow besides,
+// for it loads code. Returns when it has stopped.
 double stops_at(double rays_per_second, double end) {
   double now = 0;
   Deadline deadline(end, [&now] { return now; });

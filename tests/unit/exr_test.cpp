@@ -141,7 +141,7 @@ TEST(Exr, EveryTruncationIsAnError) {
   const std::string bytes = read_bytes(folder / "whole.exr");
   for (std::size_t length = 0; length < bytes.size(); length += 1 + length / 64) {
     write_bytes(folder / "cut.exr", bytes.substr(0, length));
-    expect_error(ExitCode::scene, "cut.exr: ", [&] { read_exr(folder / "cut.exr"); });
+    expect_error(ErrorKind::scene, "cut.exr: ", [&] { read_exr(folder / "cut.exr"); });
   }
 }
 
@@ -158,7 +158,7 @@ TEST(Exr, DamagedBytesAreAnErrorOrAnImage) {
         const Image image = read_exr(folder / "damaged.exr");
         EXPECT_GT(image.width, 0);
       } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ExitCode::scene);
+        EXPECT_EQ(error.kind(), ErrorKind::scene);
         EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
       }
     }
@@ -179,10 +179,10 @@ TEST(Exr, AHeaderThatClaimsTooMuchIsRefusedBeforeAllocating) {
   const std::string bytes = read_bytes(folder / "small.exr");
   for (auto [x, y] : {std::pair{1'000'000'000, 1'000'000'000}, {100'000, 100'000}, {1'000'000'000, 0}}) {
     write_bytes(folder / "huge.exr", claim_size(bytes, x, y));
-    expect_error(ExitCode::scene, "more than the file can hold", [&] { read_exr(folder / "huge.exr"); });
+    expect_error(ErrorKind::scene, "more than the file can hold", [&] { read_exr(folder / "huge.exr"); });
   }
   write_bytes(folder / "negative.exr", claim_size(bytes, -5, -5));
-  expect_error(ExitCode::scene, "negative.exr: ", [&] { read_exr(folder / "negative.exr"); });
+  expect_error(ErrorKind::scene, "negative.exr: ", [&] { read_exr(folder / "negative.exr"); });
 }
 
 TEST(Exr, NamesWhatItCannotRead) {
@@ -190,13 +190,14 @@ TEST(Exr, NamesWhatItCannotRead) {
   write_bytes(folder / "empty.exr", "");
   write_bytes(folder / "text.exr", "[input]\nobjfile = \"a.obj\"\n");
   const auto fails = [&](const std::string& name, const std::string& reason) {
-    expect_error(ExitCode::scene, (folder / name).string() + ": " + reason, [&] { read_exr(folder / name); });
+    expect_error(ErrorKind::scene, (folder / name).string() + ": " + reason,
+                 [&] { read_exr(folder / name); });
   };
   fails("missing.exr", "No such file or directory");
   fails("", "is a directory");
   fails("empty.exr", "not an OpenEXR file");
   fails("text.exr", "not an OpenEXR file");
-  expect_error(ExitCode::scene, "/dev/zero: not a regular file", [] { read_exr("/dev/zero"); });
+  expect_error(ErrorKind::scene, "/dev/zero: not a regular file", [] { read_exr("/dev/zero"); });
 }
 
 TEST(Exr, FullDiskIsOneLineAndLeavesTheOldFile) {
@@ -209,7 +210,7 @@ TEST(Exr, FullDiskIsOneLineAndLeavesTheOldFile) {
   const auto size = std::filesystem::file_size(folder / "size.exr");
   for (std::uintmax_t bytes : {std::uintmax_t{0}, std::uintmax_t{100}, size / 2, size - 1}) {
     test::FileSizeLimit limit(bytes);
-    expect_error(ExitCode::output, (folder / "a.exr").string() + ": File too large",
+    expect_error(ErrorKind::output, (folder / "a.exr").string() + ": File too large",
                  [&] { write_exr(folder / "a.exr", image); });
   }
   EXPECT_EQ(read_bytes(folder / "a.exr"), "old");
@@ -218,7 +219,7 @@ TEST(Exr, FullDiskIsOneLineAndLeavesTheOldFile) {
 
 TEST(Exr, RefusesPlanesOfAnotherSize) {
   test::TemporaryFolder folder;
-  expect_error(ExitCode::internal, "3 values for 4 pixels", [&] {
+  expect_error(ErrorKind::internal, "3 values for 4 pixels", [&] {
     write_exr(folder / "a.exr", {2, 2, {{"R", std::vector<float>(3)}}, {}});
   });
   EXPECT_EQ(folder.entries(), 0);
@@ -228,7 +229,7 @@ TEST(Exr, RefusesPlanesOfAnotherSize) {
 // would see a string of 2 GiB there.
 TEST(Exr, ListsEndWhereTheirSizeSays) {
   const std::string file = std::string(NOOK_SOURCE_DIR) + "/tests/fuzz/corpus/image/string-of-2-gib";
-  expect_error(ExitCode::scene, "the header is truncated or damaged", [&] { read_exr(file); });
+  expect_error(ErrorKind::scene, "the header is truncated or damaged", [&] { read_exr(file); });
 }
 
 }  // namespace

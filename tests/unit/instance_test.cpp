@@ -96,7 +96,7 @@ TEST(Instances, BadOnesSayWhere) {
   const TemporaryFolder folder;
   write_bytes(folder / "one.obj", one);
   const auto refuse = [&](const std::string& input, const std::string& message) {
-    expect_error(ExitCode::scene, message, [&] { load(folder, input); });
+    expect_error(ErrorKind::scene, message, [&] { load(folder, input); });
   };
   refuse("[[instance]]\ntranslate = [1, 2, 3]\n", "scene.toml:1:1: objfile is missing in [[instance]]");
   refuse("[[instance]]\nobjfile = \"one.obj\"\nscale = 0\n",

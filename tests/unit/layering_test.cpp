@@ -111,8 +111,8 @@ TEST(Layering, KernelRoomsIncludeThoseBelow) {
   const int files =
       for_each_source(root / "kernels", {".cl", ".h"},
                       [&](const std::string& room, const std::string& file, std::istream& source) {
-                        if (allowed.contains(room))
-                          EXPECT_EQ(forbidden_includes(allowed.at(room), room, file, source), "");
+                        if (!allowed.contains(room)) return;
+                        EXPECT_EQ(forbidden_includes(allowed.at(room), room, file, source), "");
                       });
   EXPECT_GT(files, 30);
 }

@@ -63,9 +63,9 @@ TEST(ObjKinds, TextureCoordinatesThatAreNoNumbers) {
   EXPECT_NE(mesh.report.warnings[0].find("a.obj:6: texture coordinates that are not finite"),
             std::string::npos);
   EXPECT_EQ(std::count(mesh.triangle_uvs[1].begin(), mesh.triangle_uvs[1].end(), TriangleMesh::no_uv), 2);
-  expect_error(ExitCode::scene, "a.obj:6: 'x' is not a number",
+  expect_error(ErrorKind::scene, "a.obj:6: 'x' is not a number",
                [&] { load("a.obj", square + "vt 0 0\nvt x 1\n" + faces); });
-  expect_error(ExitCode::scene, "a.obj:6: 0 numbers, expected 1",
+  expect_error(ErrorKind::scene, "a.obj:6: 0 numbers, expected 1",
                [&] { load("a.obj", square + "vt 0 0\nvt\n" + faces); });
   // nobody asked for them
   EXPECT_EQ(load("a.obj", square + "vt 0 0\nvt x 1\n" + faces, {}).triangles.size(), 2u);
@@ -81,7 +81,7 @@ TEST(ObjKinds, NumbersAreReadToTheLastBit) {
 }
 
 TEST(ObjKinds, TextOfUtf16IsSaidToBe) {
-  expect_error(ExitCode::scene, "a.obj: the text is UTF-16: save it as UTF-8",
+  expect_error(ErrorKind::scene, "a.obj: the text is UTF-16: save it as UTF-8",
                [] { load("a.obj", std::string("\xff\xfev\0 \0", 6)); });
 }
 
@@ -143,7 +143,7 @@ TEST(MtlKinds, AnExponentThatNobodyReadsStopsNothing) {
   for (const char* bad : {"-1.96", "nan", "1e8", "x", "", "3 4"}) {
     const std::string library = "newmtl b\nKd 1 1 1\nNs " + std::string(bad) + "\nnewmtl Dark  Wood\n";
     EXPECT_EQ(load_with_library(obj_of_materials, library).materials[0].phong_exponent, -1);
-    expect_error(ExitCode::scene, "a b.mtl:3: Ns must be a number from 0 to 1e7",
+    expect_error(ErrorKind::scene, "a b.mtl:3: Ns must be a number from 0 to 1e7",
                  [&] { load_with_library(obj_of_materials, library, with_exponents); });
     // of a material that no face has, or that has no lobe
     EXPECT_EQ(
@@ -203,7 +203,7 @@ TEST(Stl, BinaryAndTextShareTheirVertices) {
 
 TEST(Stl, BadFilesSayWhere) {
   const auto refuse = [](const std::string& bytes, const std::string& message) {
-    expect_error(ExitCode::scene, message, [&] { load("a.stl", bytes); });
+    expect_error(ErrorKind::scene, message, [&] { load("a.stl", bytes); });
   };
   refuse("", "a.stl: neither an ASCII STL file nor as long as a binary one's header");
   refuse("solid a\nendsolid a\n", "a.stl: the mesh has no triangles");
@@ -244,17 +244,17 @@ TEST(MeshFormats, CompressedFilesAndNamesOfAnyCase) {
   for (int i = 0; i < 200000; ++i) text += "# a comment that compresses well\n";
   EXPECT_EQ(mesh_hash(load("a.obj.gz", gzipped(text))), expected);
   const std::string bytes = gzipped(square + "f 1 2 3 4\n");
-  expect_error(ExitCode::scene, "a.obj.gz: the compressed file ends too early",
+  expect_error(ErrorKind::scene, "a.obj.gz: the compressed file ends too early",
                [&] { load("a.obj.gz", bytes.substr(0, bytes.size() - 9)); });
   std::string damaged = bytes;
   damaged[bytes.size() - 6] = char(damaged[bytes.size() - 6] ^ 1);
-  expect_error(ExitCode::scene, "a.obj.gz: is damaged", [&] { load("a.obj.gz", damaged); });
-  expect_error(ExitCode::scene, "a.obj.gz: is not compressed by gzip", [&] { load("a.obj.gz", square); });
+  expect_error(ErrorKind::scene, "a.obj.gz: is damaged", [&] { load("a.obj.gz", damaged); });
+  expect_error(ErrorKind::scene, "a.obj.gz: is not compressed by gzip", [&] { load("a.obj.gz", square); });
 }
 
 TEST(MeshFormats, OthersAreNamed) {
   for (const char* name : {"cube.fbx", "cube.GLB", "cube", "cube.obj.zip", "cube.gz", "cube.fbx.gz"})
-    expect_error(ExitCode::scene, std::string(name) + ": not a format that nook reads (OBJ, PLY, STL)",
+    expect_error(ErrorKind::scene, std::string(name) + ": not a format that nook reads (OBJ, PLY, STL)",
                  [&] { load(name, square); });
   for (const char* name : {"a.fbx", "a.Gltf", "a.toml.gz", "a.fbx.gz"})
     EXPECT_TRUE(is_unread_mesh(name) && !is_mesh(name)) << name;
@@ -262,7 +262,7 @@ TEST(MeshFormats, OthersAreNamed) {
     EXPECT_TRUE(is_mesh(name) && !is_unread_mesh(name)) << name;
   for (const char* name : {"scene.toml", "scene", "picture.exr"})
     EXPECT_FALSE(is_mesh(name) || is_unread_mesh(name)) << name;
-  expect_error(ExitCode::scene, "none.fbx: no such file", [] { load_mesh("none.fbx"); });
+  expect_error(ErrorKind::scene, "none.fbx: no such file", [] { load_mesh("none.fbx"); });
 }
 
 template <class T>
@@ -356,7 +356,7 @@ TEST(PlyKinds, IndicesAreIntegersOfTheFile) {
       "z\nelement face "
       "1\nproperty list uchar float vertex_index\nend_header\n0 0 0\n1 0 0\n1 1 0\n";
   EXPECT_EQ(load("a.ply", head + "3 0 1 2.0\n").triangles.size(), 1u);
-  expect_error(ExitCode::scene, "a.ply:13: vertex index 1.5 is not an integer",
+  expect_error(ErrorKind::scene, "a.ply:13: vertex index 1.5 is not an integer",
                [&] { load("a.ply", head + "3 0 1 1.5\n"); });
 }
 

@@ -33,7 +33,8 @@ TEST(MeshOfArrays, IsTheFilesMesh) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t a = with.triangle_normals[t][k], b = file.triangle_normals[t][k];
       ASSERT_EQ(a == TriangleMesh::no_normal, b == TriangleMesh::no_normal);
-      if (a != TriangleMesh::no_normal) EXPECT_EQ(with.normals[a], file.normals[b]);
+      if (a == TriangleMesh::no_normal) continue;
+      EXPECT_EQ(with.normals[a], file.normals[b]);
     }
 }
 
@@ -41,7 +42,7 @@ TEST(MeshOfArrays, NamesWhatIsWrong) {
   const auto rejects = [](const std::string& part, const std::vector<float>& positions,
                           const std::vector<std::uint32_t>& triangles,
                           const std::vector<float>& normals = {}) {
-    expect_error(ExitCode::scene, part, [&] { mesh_of_arrays(positions, triangles, normals); });
+    expect_error(ErrorKind::scene, part, [&] { mesh_of_arrays(positions, triangles, normals); });
   };
   rejects("positions: 4 numbers", {0, 0, 0, 1}, two);
   std::vector<float> nan = square;

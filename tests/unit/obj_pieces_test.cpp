@@ -224,7 +224,7 @@ TEST(ObjPieces, KeepWhatIsWanted) {
               mesh.triangle_uvs.empty() && mesh.materials.empty() && mesh.groups.empty());
   EXPECT_GT(all.triangle_uvs.size(), 0u);
   write_bytes(folder / "mesh.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0 0\nf 1/1 2/2 3/1\n");
-  test::expect_error(ExitCode::scene, "mesh.obj:5: face index 2", [&] { load_obj(folder / "mesh.obj"); });
+  test::expect_error(ErrorKind::scene, "mesh.obj:5: face index 2", [&] { load_obj(folder / "mesh.obj"); });
 }
 
 TEST(ObjPieces, FaultsHaveTheirLineInTheWholeFile) {
@@ -259,7 +259,7 @@ TEST(ObjPieces, FaultsHaveTheirLineInTheWholeFile) {
       const std::string text = std::regex_replace(square + line + "\nf x y z\n", std::regex("\n"), line_end);
       write_bytes(folder / "mesh.obj", text);
       for (const std::size_t piece_bytes : {1u, 1u << 21})
-        test::expect_error(ExitCode::scene, std::string("mesh.obj:7: ") + message,
+        test::expect_error(ErrorKind::scene, std::string("mesh.obj:7: ") + message,
                            [&] { load_obj(folder / "mesh.obj", everything, piece_bytes); });
     }
 }

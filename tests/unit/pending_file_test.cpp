@@ -52,7 +52,7 @@ TEST(PendingFile, FullDiskIsOneLineAndLeavesNothing) {
   const std::string text(100'000, 'x');
   {
     test::FileSizeLimit limit(1000);
-    expect_error(ExitCode::output, (folder / "a").string() + ": File too large",
+    expect_error(ErrorKind::output, (folder / "a").string() + ": File too large",
                  [&] { write(folder / "a", text); });
   }
   EXPECT_EQ(folder.entries(), 0);
@@ -70,7 +70,7 @@ TEST(PendingFile, ReplacesTheTargetOfALink) {
 TEST(PendingFile, NamesWhatItCannotWrite) {
   test::TemporaryFolder folder;
   const auto fails = [](const fs::path& path, const std::string& reason) {
-    expect_error(ExitCode::output, path.string() + ": " + reason, [&] { PendingFile file(path); });
+    expect_error(ErrorKind::output, path.string() + ": " + reason, [&] { PendingFile file(path); });
   };
   fails(folder / "missing" / "a", "No such file or directory");
   fails(folder.path(), "Is a directory");

@@ -50,7 +50,7 @@ bool mentions(const std::vector<std::string>& lines, const std::string& part) {
 }
 
 void expect_scene_error(const std::string& rest, const std::string& message) {
-  expect_error(ExitCode::scene, message, [&] { plan_of(rest); });
+  expect_error(ErrorKind::scene, message, [&] { plan_of(rest); });
 }
 
 TEST(Plan, OneEffectIsRgb) {
@@ -96,7 +96,7 @@ type = "depth"
   EXPECT_TRUE(plan.surface);
 }
 
-// R, G, B is what every viewer shows: the path tracer's first layer, SSAO only if there is nothing else.
+// R, G, B is what every viewer shows: the first layer by rays, SSAO only if there is nothing else.
 TEST(Plan, SsaoIsTheMainLayerOnlyAlone) {
   const Plan both = plan_of("[[effect]]\ntype = \"ssao\"\n[[effect]]\ntype = \"ao\"\n").plan;
   EXPECT_EQ(prefixes(both), (std::vector<std::string>{"ssao.", ""}));
@@ -195,11 +195,11 @@ TEST(Plan, ALobeByMaterialNeedsOne) {
   const Scene scene = load_scene(file);
   const auto plan = [&] { return make_plan(scene, load_obj(scene.mesh_file, needed_attributes(scene))); };
   test::write_bytes(folder / "small.mtl", "newmtl plain\nnewmtl glossy\nKs 0 0 0\nNs 20\n");
-  expect_error(ExitCode::scene, "needs a material with a lobe", plan);
+  expect_error(ErrorKind::scene, "needs a material with a lobe", plan);
   test::write_bytes(folder / "small.mtl", "newmtl plain\nNs shiny\n");
-  expect_error(ExitCode::scene, "small.mtl:2: Ns must be a number from 0 to 1e7", plan);
+  expect_error(ErrorKind::scene, "small.mtl:2: Ns must be a number from 0 to 1e7", plan);
   std::filesystem::remove(folder / "small.mtl");
-  expect_error(ExitCode::scene, "needs a material with a lobe", plan);
+  expect_error(ErrorKind::scene, "needs a material with a lobe", plan);
 }
 
 // Names in the scene and numbers of types may meet; each layer still has its own.

@@ -56,7 +56,7 @@ TEST(Ply, WhatIsWrittenIsReadBack) {
 
 TEST(Ply, BadFilesSayWhere) {
   const auto refuse = [](const std::string& bytes, const std::string& message) {
-    expect_error(ExitCode::scene, message, [&] { load(bytes); });
+    expect_error(ErrorKind::scene, message, [&] { load(bytes); });
   };
   refuse("", "no end_header");
   refuse("obj\nend_header\n", "mesh.ply:1: not a PLY file");

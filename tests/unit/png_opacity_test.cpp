@@ -64,15 +64,15 @@ TEST(PngOpacity, DamagedFilesAreOneLine) {
   const std::string bytes = read_bytes(file);
   for (const std::size_t length : {std::size_t(0), std::size_t(7), std::size_t(20), bytes.find("IDAT") + 6}) {
     write_bytes(file, bytes.substr(0, length));
-    expect_error(ExitCode::scene, "opacity.png: ", [&] { read_png_opacity(file); });
+    expect_error(ErrorKind::scene, "opacity.png: ", [&] { read_png_opacity(file); });
   }
   std::string damaged = bytes;
   const std::size_t data = damaged.find("IDAT") + 6;
   damaged[data] = char(damaged[data] ^ 0x55);
   write_bytes(file, damaged);
-  expect_error(ExitCode::scene, "opacity.png: ", [&] { read_png_opacity(file); });
-  expect_error(ExitCode::scene, "none.png: no such file", [&] { read_png_opacity(folder / "none.png"); });
-  expect_error(ExitCode::scene, "not a regular file", [&] { read_png_opacity(folder.path()); });
+  expect_error(ErrorKind::scene, "opacity.png: ", [&] { read_png_opacity(file); });
+  expect_error(ErrorKind::scene, "none.png: no such file", [&] { read_png_opacity(folder / "none.png"); });
+  expect_error(ErrorKind::scene, "not a regular file", [&] { read_png_opacity(folder.path()); });
 }
 
 }  // namespace

@@ -95,7 +95,7 @@ TEST(Png, FullDiskIsOneLineAndLeavesNothing) {
   const Image image = rgb_image(100, 100, values, values, values);
   for (rlim_t bytes : {0, 20, 1000}) {
     test::FileSizeLimit limit(bytes);
-    expect_error(ExitCode::output, (folder / "a.png").string() + ": File too large",
+    expect_error(ErrorKind::output, (folder / "a.png").string() + ": File too large",
                  [&] { write_png(folder / "a.png", image); });
   }
   EXPECT_EQ(folder.entries(), 0);
@@ -103,7 +103,7 @@ TEST(Png, FullDiskIsOneLineAndLeavesNothing) {
 
 TEST(Png, RefusesAnImageWithoutColours) {
   test::TemporaryFolder folder;
-  expect_error(ExitCode::internal, "no channel G", [&] {
+  expect_error(ErrorKind::internal, "no channel G", [&] {
     write_png(folder / "a.png", {1, 1, {{"R", std::vector<float>(1)}}, {}});
   });
   EXPECT_EQ(folder.entries(), 0);

@@ -28,29 +28,29 @@ TEST(GlContext, DrawsWithSurfacelessEgl) {
 
 TEST(GlContext, RefusesAnUnknownLibrary) {
   setenv("NOOK_GL", "glx", 1);
-  test::expect_error(ExitCode::device, "NOOK_GL is 'glx'", [] { make_gl_context(); });
+  test::expect_error(ErrorKind::device, "NOOK_GL is 'glx'", [] { make_gl_context(); });
   unsetenv("NOOK_GL");
 }
 
 TEST(GlContext, ReportsGlErrorsInOneLine) {
   const std::unique_ptr<GlContext> context = make_gl_context();
   context->functions().glEnable(0xffff);
-  test::expect_error(ExitCode::device, "0x0500 while testing", [&] { context->check("testing"); });
+  test::expect_error(ErrorKind::device, "0x0500 while testing", [&] { context->check("testing"); });
   context->check("testing again");
 }
 
 TEST(GlContext, SaysWhenTheLibraryIsMissing) {
   setenv("NOOK_OSMESA", "libnook-no-such-library.so", 1);
-  test::expect_error(ExitCode::device, "libnook-no-such-library.so", [] { make_gl_context(); });
+  test::expect_error(ErrorKind::device, "libnook-no-such-library.so", [] { make_gl_context(); });
   setenv("NOOK_OSMESA", "libm.so.6", 1);
-  test::expect_error(ExitCode::device, "OSMesaCreateContextAttribs", [] { make_gl_context(); });
+  test::expect_error(ErrorKind::device, "OSMesaCreateContextAttribs", [] { make_gl_context(); });
   unsetenv("NOOK_OSMESA");
 }
 
 // Mesa itself crashes on an unknown name.
 TEST(GlContext, RefusesAnUnknownGalliumDriver) {
   setenv("GALLIUM_DRIVER", "nouveau-typo", 1);
-  test::expect_error(ExitCode::device, "nouveau-typo", [] { make_gl_context(); });
+  test::expect_error(ErrorKind::device, "nouveau-typo", [] { make_gl_context(); });
   unsetenv("GALLIUM_DRIVER");
 }
 
@@ -67,7 +67,7 @@ TEST(SsaoPlan, RefusesWhatMakesNoPicture) {
   const auto refuses = [](const char* part, auto&& change) {
     SsaoSettings settings;
     change(settings);
-    test::expect_error(ExitCode::scene, part, [&] { plan_ssao(settings, {}); });
+    test::expect_error(ErrorKind::scene, part, [&] { plan_ssao(settings, {}); });
   };
   refuses("samples", [](SsaoSettings& s) { s.samples = 0; });
   refuses("samples", [](SsaoSettings& s) { s.samples = 33; });

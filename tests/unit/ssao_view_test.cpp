@@ -34,9 +34,9 @@ TEST(SsaoView, ReconstructionInvertsProjection) {
       }
 }
 
-// The path tracer's pixel centres: px = (2(x+.5)/W-1) aspect tan(fov/2), py = (1-2(y+.5)/H) tan(fov/2),
+// The camera rays' pixel centres: px = (2(x+.5)/W-1) aspect tan(fov/2), py = (1-2(y+.5)/H) tan(fov/2),
 // looking along -z.
-TEST(SsaoView, PixelCentresAreThePathTracers) {
+TEST(SsaoView, PixelCentresAreTheCameraRays) {
   const int width = 13, height = 7, guard = 4;
   const double tan_y = std::tan(0.5 * 40 * std::acos(-1.0) / 180), tan_x = tan_y * width / height;
   const SsaoView view = make_ssao_view(oblique, width, height, guard);
@@ -60,10 +60,10 @@ TEST(SsaoView, FrameIsOrthonormalAndLooksAtTheTarget) {
 }
 
 TEST(SsaoView, RefusesACameraWithoutADirection) {
-  test::expect_error(ExitCode::scene, "same point", [] {
+  test::expect_error(ErrorKind::scene, "same point", [] {
     make_ssao_view({{1, 2, 3}, {1, 2, 3}, {0, 1, 0}, 30}, 10, 10, 0);
   });
-  test::expect_error(ExitCode::scene, "up", [] {
+  test::expect_error(ErrorKind::scene, "up", [] {
     make_ssao_view({{0, 5, 0}, {0, 0, 0}, {0, 1, 0}, 30}, 10, 10, 0);
   });
 }

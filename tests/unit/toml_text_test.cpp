@@ -16,7 +16,7 @@ class TomlText : public testing::Test {
   }
   void refuses(const std::string& text, const std::string& place) {
     test::write_bytes(folder / "a.toml", text);
-    test::expect_error(ExitCode::scene, "a.toml:" + place + ": nested deeper than 32",
+    test::expect_error(ErrorKind::scene, "a.toml:" + place + ": nested deeper than 32",
                        [&] { read_toml_text(folder / "a.toml"); });
   }
   test::TemporaryFolder folder;
@@ -57,7 +57,7 @@ TEST_F(TomlText, SkipsStringsAndComments) {
 
 TEST_F(TomlText, BoundsTheSize) {
   test::write_bytes(folder / "a.toml", std::string(largest_scene_file + 1, '\n'));
-  test::expect_error(ExitCode::scene, "too large", [&] { read_toml_text(folder / "a.toml"); });
+  test::expect_error(ErrorKind::scene, "too large", [&] { read_toml_text(folder / "a.toml"); });
 }
 
 }  // namespace

@@ -36,13 +36,12 @@ Scene bake_scene(const BakeOptions& options) {
   std::erase_if(scene.effects,
                 [](const Effect& e) { return e.kind != EffectKind::ao && e.kind != EffectKind::bent; });
   if (scene.effects.empty())
-    throw Error(ExitCode::scene,
-                fmt::format("{}: a bake needs an effect of type ao or bent", scene.file.string()));
+    throw Error(ErrorKind::scene, Place{scene.file.string()}, "a bake needs an effect of type ao or bent");
   options.scene.check_applicable(scene);
   const std::uint64_t directions = std::uint64_t(scene.spp) * scene.directions;
   if (directions > 1u << 26)
-    throw Error(ExitCode::scene, fmt::format("{}: spp x directions is {}, at most {} for a bake",
-                                             scene.file.string(), directions, 1u << 26));
+    throw Error(ErrorKind::scene, Place{scene.file.string()},
+                fmt::format("spp x directions is {}, at most {} for a bake", directions, 1u << 26));
   scene.directions = std::uint32_t(directions);
   scene.spp = 1;
   scene.denoise = false;
@@ -89,7 +88,7 @@ int bake(const BakeOptions& options) {
   const Scene scene = bake_scene(options);
   keep_inputs(scene, options.output);
   if (!to_texture && (options.texture.size || options.texture.dilation || !options.texture.aovs.empty()))
-    throw Error(ExitCode::usage, "--size, --dilation, --aov: are of textures; they need --to texture");
+    throw Error(ErrorKind::usage, "--size, --dilation, --aov: are of textures; they need --to texture");
   static constexpr std::string_view written[] = {".ply"};
   if (!to_texture) check_extension(options.output, written);
   if (to_texture) check_texture_options(options.texture, scene, options.output);
@@ -107,8 +106,8 @@ int bake(const BakeOptions& options) {
   const Plan& plan = renderer.plan();
   for (const EffectPlan& effect : plan.effects)
     if (effect.effect.view_space || effect.effect.side == Side::viewer)
-      throw Error(ExitCode::scene,
-                  fmt::format("{}: a bake has no viewer: {}", scene.file.string(),
+      throw Error(ErrorKind::scene, Place{scene.file.string()},
+                  fmt::format("a bake has no viewer: {}",
                               effect.effect.view_space ? "space = \"view\"" : "side = \"viewer\""));
   const TexturePoints texels = to_texture ? points_of_texture(options.texture, scene, mesh) : TexturePoints{};
   const double points = double(to_texture ? texels.points.size() : mesh.positions.size());

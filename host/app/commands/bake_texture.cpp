@@ -82,15 +82,15 @@ void check_texture_options(const TextureOptions& options, const Scene& scene,
                            const std::filesystem::path& output) {
   const AovRequest asked = parse_aovs(options.aovs);
   if (asked.depth || asked.alpha)
-    throw Error(ExitCode::usage, "--aov: a texture has normal, position, variance and samples, and A always");
+    throw Error(ErrorKind::usage,
+                "--aov: a texture has normal, position, variance and samples, and A always");
   if (!is_png(output) && output.extension() != ".exr")
-    throw Error(ExitCode::usage, fmt::format("{}: a texture is an .exr or a .png file", output.string()));
+    throw Error(ErrorKind::usage, Place{output.string()}, "a texture is an .exr or a .png file");
   if (is_png(output) && scene.effects.front().kind == EffectKind::bent)
-    throw Error(ExitCode::usage,
-                fmt::format("{}: a PNG holds no directions; name an .exr file", output.string()));
+    throw Error(ErrorKind::usage, Place{output.string()}, "a PNG holds no directions; name an .exr file");
   if (is_png(output) && (scene.effects.size() > 1 || !options.aovs.empty()))
-    throw Error(ExitCode::usage,
-                fmt::format("{}: a PNG holds one effect; name an .exr file for more", output.string()));
+    throw Error(ErrorKind::usage, Place{output.string()},
+                "a PNG holds one effect; name an .exr file for more");
   const int size = options.size.value_or(default_size);
   const auto texels = std::uint64_t(size) * std::uint64_t(size);
   check_memory(texels * (180 + 140 * scene.effects.size() + 24 * options.aovs.size()),
@@ -108,7 +108,7 @@ TexturePoints points_of_texture(const TextureOptions& options, const Scene& scen
                 counted(made.without_uv, "triangle has", "triangles have"));
     return made;
   } catch (const Error& e) {
-    throw Error(e.code(), scene.mesh_file.string() + ": " + e.what());
+    throw Error(e.kind(), Place{scene.mesh_file.string()}, e.what());
   }
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "app/commands.hpp"
+#include "app/exit_code.hpp"
 #include "app/options/render_options.hpp"
 #include "base/error.hpp"
 #include "base/to_stderr.hpp"
@@ -29,14 +30,14 @@ int run(const Options& options) {
     for (const std::filesystem::path& input : {options.compare.a, options.compare.b}) {
       std::error_code code;
       if (std::filesystem::equivalent(input, *options.error_image, code))
-        throw Error(ExitCode::output, fmt::format("--error-image: {} is compared, it would be overwritten",
-                                                  options.error_image->string()));
+        throw Error(ErrorKind::output, fmt::format("--error-image: {} is compared, it would be overwritten",
+                                                   options.error_image->string()));
     }
   Comparison comparison;
   try {
     comparison = compare_files(options.compare);
   } catch (const Error& error) {
-    if (error.code() != ExitCode::scene) throw;
+    if (error.kind() != ErrorKind::scene) throw;
     to_stderr("nook: {}\n", error.what());
     return static_cast<int>(CompareStatus::unreadable);
   }

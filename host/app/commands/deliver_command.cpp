@@ -8,6 +8,7 @@
 
 #include "app/commands.hpp"
 #include "app/commands/delivery.hpp"
+#include "app/exit_code.hpp"
 #include "base/error.hpp"
 #include "base/pending_file.hpp"
 #include "base/to_stderr.hpp"
@@ -35,7 +36,7 @@ int run_self(const std::vector<std::string>& arguments) {
   argv.push_back(nullptr);
   pid_t child = 0;
   if (posix_spawn(&child, "/proc/self/exe", nullptr, nullptr, argv.data(), environ) != 0)
-    throw Error(ExitCode::internal, "cannot start /proc/self/exe");
+    throw Error(ErrorKind::internal, "cannot start /proc/self/exe");
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
@@ -46,8 +47,8 @@ int run_self(const std::vector<std::string>& arguments) {
 void render_entry(const DeliveryEntry& entry, const fs::path& folder) {
   const fs::path target = folder / entry.render;
   if (const int code = run_self({"render", entry.scene.string(), "-o", target.string(), "--png"}); code != 0)
-    throw Error(ExitCode(code), fmt::format("{}: rendering it for {} failed (exit code {})",
-                                            entry.scene.string(), entry.render, code));
+    throw Error(error_kind(code), fmt::format("{}: rendering it for {} failed (exit code {})",
+                                              entry.scene.string(), entry.render, code));
   Image image = read_exr(target);
   std::erase_if(image.channels,
                 [](const Channel& c) { return c.name != "R" && c.name != "G" && c.name != "B"; });
@@ -132,7 +133,7 @@ int deliver(const DeliverOptions& options) {
   std::error_code code;
   if (!fs::is_directory(source, code)) {
     if (!options.source.empty())
-      throw Error(ExitCode::usage, fmt::format("--src: {} is not a folder", source.string()));
+      throw Error(ErrorKind::usage, fmt::format("--src: {} is not a folder", source.string()));
     to_stderr("warning: there is no folder {}: the archive's src is empty\n", source.string());
   }
   std::vector<ArchiveEntry> archive = {{"config.json", delivery.config}};
@@ -146,7 +147,7 @@ int deliver(const DeliverOptions& options) {
   for (const char* part : {"offline", "realtime"}) {
     fs::create_directories(folder / part, code);
     if (code)
-      throw Error(ExitCode::output,
+      throw Error(ErrorKind::output,
                   fmt::format("cannot make the folder {}: {}", (folder / part).string(), code.message()));
   }
 

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void reject(const fs::path& config, const std::string& what) {
-  throw Error(ExitCode::scene, fmt::format("{}: {}", config.string(), what));
+  throw Error(ErrorKind::scene, Place{config.string()}, what);
 }
 
 nlohmann::ordered_json parse(const fs::path& config) {
@@ -31,7 +31,7 @@ nlohmann::ordered_json parse(const fs::path& config) {
     const auto row = 1 + std::count(before.begin(), before.end(), '\n');
     const std::size_t column =
         before.size() - (before.rfind('\n') + 1) + 1;  // without a line break, npos + 1 is 0
-    throw Error(ExitCode::scene, fmt::format("{}:{}:{}: not JSON", config.string(), row, column));
+    throw Error(ErrorKind::scene, Place{config.string(), std::uint64_t(row), column}, "not JSON");
   } catch (const nlohmann::json::out_of_range&) {
     reject(config, "not JSON: a number is too large");
   }

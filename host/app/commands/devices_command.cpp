@@ -17,7 +17,7 @@ const char* type_name(const DeviceInfo& device) {
 int print_devices() {
   const std::vector<DeviceInfo> devices = list_devices();
   if (devices.empty())
-    throw Error(ExitCode::device, "no OpenCL device found; `nook doctor` says what is missing");
+    throw Error(ErrorKind::device, "no OpenCL device found; `nook doctor` says what is missing");
   for (const DeviceInfo& d : devices)
     fmt::print(
         "{}:{}  {}  {}\n     {}; driver {}; {}, vectors of {}, {:.1f} GiB (at most "

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "app/commands.hpp"
+#include "app/exit_code.hpp"
 #include "base/error.hpp"
 #include "base/version.hpp"
 #include "device/device.hpp"

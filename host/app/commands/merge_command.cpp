@@ -7,6 +7,7 @@
 
 #include "app/commands.hpp"
 #include "app/commands/render_report.hpp"
+#include "app/exit_code.hpp"
 #include "app/options/render_options.hpp"
 #include "base/counted.hpp"
 #include "base/error.hpp"
@@ -64,7 +65,7 @@ FilmPart join(const MergeOptions& options) {
 
 int merge(const MergeOptions& options) {
   if (options.output.empty() && !options.status)
-    throw Error(ExitCode::usage, "merge: needs -o OUT.exr, -o PART.nook or --status");
+    throw Error(ErrorKind::usage, "merge: needs -o OUT.exr, -o PART.nook or --status");
   static constexpr std::string_view written[] = {".exr", ".nook"};
   check_extension(options.output, written);
   FilmPart part = join(options);
@@ -77,13 +78,12 @@ int merge(const MergeOptions& options) {
     return 0;
   }
   if (!missing.empty() && !options.partial)
-    throw Error(ExitCode::target,
+    throw Error(ErrorKind::incomplete,
                 fmt::format("{:.2f} % of the picture is missing: {}; --partial writes it all the same",
                             percent(missing, part), describe(missing)));
   if (!part.films.front().kept.empty())
-    throw Error(ExitCode::usage,
-                fmt::format("{}: a render to an error; nook render --resume makes its picture",
-                            options.parts.front().string()));
+    throw Error(ErrorKind::usage, Place{options.parts.front().string()},
+                "a render to an error; nook render --resume makes its picture");
   Image image = make_picture(part);
   place_crop(image, part.identity);
   for (const auto& [name, value] : count_metadata(part.counts, part.render_seconds))

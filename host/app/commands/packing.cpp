@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void reject(const fs::path& path, const std::string& what) {
-  throw Error(ExitCode::scene, fmt::format("{}: {}", path.string(), what));
+  throw Error(ErrorKind::scene, Place{path.string()}, what);
 }
 
 fs::path resolved(const fs::path& path) {

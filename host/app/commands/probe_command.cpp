@@ -33,7 +33,7 @@ void choose_effect(const std::string& asked, Scene& scene) {
   Effect effect = scene.effects.front();
   const EffectKind kind = asked.empty() ? effect.kind : *value_of<EffectKind>(effect_names, asked);
   if (kind != EffectKind::ao && kind != EffectKind::ro)
-    throw Error(ExitCode::usage, "--effect: a probe needs ao or ro");
+    throw Error(ErrorKind::usage, "--effect: a probe needs ao or ro");
   if (kind != effect.kind) {
     const Effect standard = default_effect(kind);
     effect.kind = kind;
@@ -48,10 +48,10 @@ Scene probe_scene(const ProbeOptions& options) {
   options.scene.check_applicable(scene);
   const Effect& effect = scene.effects.front();
   if (effect.kind == EffectKind::ro && effect.exponent_of_material)
-    throw Error(ExitCode::usage, "points have no material: --exponent gives the one to use");
+    throw Error(ErrorKind::usage, "points have no material: --exponent gives the one to use");
   if (effect.only_self)
-    throw Error(ExitCode::scene, fmt::format("{}: occluders = \"self\": a probe's points belong to no group",
-                                             scene.file.string()));
+    throw Error(ErrorKind::scene, Place{scene.file.string()},
+                "occluders = \"self\": a probe's points belong to no group");
   scene.denoise = false;
   scene.spp = 1;
   scene.directions = options.samples;

@@ -147,9 +147,9 @@ int forecast_only(SceneRenderer& renderer, const Job& job) {
 int render_turntable(const Scene& scene, const RenderOptions& options) {
   if (options.checkpoints.resume || options.checkpoints.share() ||
       !options.checkpoints.file(options.scene.scene, options.output).empty())
-    throw Error(ExitCode::usage,
+    throw Error(ErrorKind::usage,
                 "--turntable: a turn is not kept in parts (--checkpoint, --resume, --shard)");
-  if (options.target.dry_run) throw Error(ExitCode::usage, "--turntable: --dry-run forecasts one picture");
+  if (options.target.dry_run) throw Error(ErrorKind::usage, "--turntable: --dry-run forecasts one picture");
   const fs::path first = options.picture_file();
   const auto picture = [&](unsigned index) {
     RenderOptions one = options;

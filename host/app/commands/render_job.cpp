@@ -20,9 +20,9 @@ PictureOrigin origin_of(const RenderOptions& options) {
                  !target.error && !target.seconds && !target.confidence && !target.min_spp &&
                  !target.max_spp && options.turntable == 0;
   if (origin.again && !origin.why_not.empty())
-    throw Error(ExitCode::scene,
-                fmt::format("{}: cannot be made again: {}; --print-config prints its scene, --spp renders it",
-                            options.scene.scene.string(), origin.why_not));
+    throw Error(ErrorKind::scene, Place{options.scene.scene.string()},
+                fmt::format("cannot be made again: {}; --print-config prints its scene, --spp renders it",
+                            origin.why_not));
   return origin;
 }
 

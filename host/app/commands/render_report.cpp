@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/exit_code.hpp"
 #include "base/counted.hpp"
 #include "base/error.hpp"
 #include "base/to_stderr.hpp"

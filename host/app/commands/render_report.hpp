@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "app/exit_code.hpp"
 #include "image/image.hpp"
 #include "report/run_record.hpp"
 #include "scene/scene.hpp"
@@ -15,7 +16,7 @@ void announce(const RunRecord& record, const StopTarget& stop);
 /// Says what it took.
 void announce_end(const RunRecord& record, const std::filesystem::path& output);
 
-/// Says, where there are any, that so many samples were left out.
+/// Says how many samples were left out, where there are any.
 void warn_of_rejected(std::uint64_t samples);
 
 /// Says what a stop rule reached. Returns the exit code: ExitCode::target if more was asked for.

@@ -12,13 +12,14 @@ namespace nook {
 StudyReference given_reference(const std::filesystem::path& file, int width, int height) {
   const Image image = read_exr(file);
   if (image.width != width || image.height != height)
-    throw Error(ExitCode::scene, fmt::format("{}: is {}x{}, the study is {}x{} (--size sets it)",
-                                             file.string(), image.width, image.height, width, height));
+    throw Error(ErrorKind::scene, Place{file.string()},
+                fmt::format("is {}x{}, the study is {}x{} (--size sets it)", image.width, image.height, width,
+                            height));
   const auto plane = [&](const char* name) -> const std::vector<float>* {
     const Channel* channel = image.find(name);
     return channel ? std::get_if<std::vector<float>>(&channel->values) : nullptr;
   };
-  if (!plane("R")) throw Error(ExitCode::scene, fmt::format("{}: has no channel R", file.string()));
+  if (!plane("R")) throw Error(ErrorKind::scene, Place{file.string()}, "has no channel R");
   StudyReference reference;
   reference.image = *plane("R");
   if (const auto* variance = plane("AO.variance")) reference.variance = *variance;

@@ -39,7 +39,7 @@ void write_zip(const std::filesystem::path& path, const std::vector<ArchiveEntry
   PendingFile file(path);
   const std::unique_ptr<archive, FreeArchive> zip(archive_write_new());
   auto check = [&](int code) {
-    if (code != ARCHIVE_OK) throw Error(ExitCode::output, archive_error_string(zip.get()));
+    if (code != ARCHIVE_OK) throw Error(ErrorKind::output, archive_error_string(zip.get()));
   };
   check(archive_write_set_format_zip(zip.get()));
   check(archive_write_set_bytes_in_last_block(zip.get(), 1));

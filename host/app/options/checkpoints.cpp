@@ -18,15 +18,15 @@ std::uint32_t slurm_number(const char* name, std::optional<std::uint32_t> fallba
   std::uint32_t value = 0;
   const char* end = text ? text + std::string_view(text).size() : nullptr;
   if (!text || std::from_chars(text, end, value).ptr != end || text == end)
-    throw Error(ExitCode::usage, fmt::format("--shard slurm: {} is {}", name,
-                                             text ? fmt::format("'{}', not a number", text)
-                                                  : "not set: this is no task of a Slurm array"));
+    throw Error(ErrorKind::usage, fmt::format("--shard slurm: {} is {}", name,
+                                              text ? fmt::format("'{}', not a number", text)
+                                                   : "not set: this is no task of a Slurm array"));
   return value;
 }
 
 Share checked(std::uint32_t index, std::uint32_t count, const std::string& text) {
   if (index < 1 || index > count)
-    throw Error(ExitCode::usage, fmt::format("--shard: '{}' is not I/N with 1 <= I <= N", text));
+    throw Error(ErrorKind::usage, fmt::format("--shard: '{}' is not I/N with 1 <= I <= N", text));
   return {index - 1, count};
 }
 
@@ -52,7 +52,7 @@ std::optional<Share> CheckpointOptions::share() const {
     const std::uint32_t first = slurm_number("SLURM_ARRAY_TASK_MIN", 0),
                         step = slurm_number("SLURM_ARRAY_TASK_STEP", 1);
     const std::string place = fmt::format("task {} of {} from {}", id, count, first);
-    if (id < first || step == 0) throw Error(ExitCode::usage, "--shard slurm: impossible: " + place);
+    if (id < first || step == 0) throw Error(ErrorKind::usage, "--shard slurm: impossible: " + place);
     return checked((id - first) / step + 1, count, place);
   }
   std::uint32_t index = 0, count = 0;
@@ -66,25 +66,25 @@ std::optional<Share> CheckpointOptions::share() const {
 
 std::filesystem::path CheckpointOptions::file(const std::filesystem::path& scene,
                                               const std::filesystem::path& output) const {
-  if (every && std::isnan(*every)) throw Error(ExitCode::usage, "--every: 'nan' is not a number of seconds");
+  if (every && std::isnan(*every)) throw Error(ErrorKind::usage, "--every: 'nan' is not a number of seconds");
   const std::optional<Share> part = share();
   std::filesystem::path file = checkpoint;
   if (part) {
     if (!checkpoint.empty() && !output.empty())
-      throw Error(ExitCode::usage, "--shard: its part is --checkpoint's file or -o's, not both");
+      throw Error(ErrorKind::usage, "--shard: its part is --checkpoint's file or -o's, not both");
     if (file.empty()) file = output;
     if (file.empty())
       file = std::filesystem::path(scene).replace_extension(
           fmt::format(".{}of{}.nook", part->index + 1, part->count));
   }
   if (file.empty()) {
-    if (resume) throw Error(ExitCode::usage, "--resume: needs --checkpoint FILE");
-    if (every) throw Error(ExitCode::usage, "--every: needs --checkpoint FILE");
+    if (resume) throw Error(ErrorKind::usage, "--resume: needs --checkpoint FILE");
+    if (every) throw Error(ErrorKind::usage, "--every: needs --checkpoint FILE");
     return file;
   }
   std::error_code code;
   if (!resume && std::filesystem::exists(file, code))
-    throw Error(ExitCode::usage,
+    throw Error(ErrorKind::usage,
                 fmt::format("{} exists: --resume goes on from it; otherwise remove it first", file.string()));
   return file;
 }

@@ -44,9 +44,8 @@ void find_meshes(Scene& scene, const fs::path& folder_then, const fs::path& pict
 Scene scene_of(const Attributes& attributes, const fs::path& file) {
   const std::string text = text_of(attributes, "nook/scene");
   if (text.empty())
-    throw Error(ExitCode::scene,
-                fmt::format("{}: has no scene in its attributes (nook/scene): nook render writes one",
-                            file.string()));
+    throw Error(ErrorKind::scene, Place{file.string()},
+                "has no scene in its attributes (nook/scene): nook render writes one");
   Scene scene = parse_scene(text, file);
   find_meshes(scene, text_of(attributes, "nook/folder"), file);
   return scene;
@@ -88,9 +87,9 @@ PictureOrigin origin_of_picture(const fs::path& file) {
 
 void check_mesh(const Scene& scene, const std::string& made_of, const std::string& hash) {
   if (!made_of.empty() && made_of != hash)
-    throw Error(ExitCode::scene,
-                fmt::format("{}: cannot be made again: {} is not the mesh that it was made of ({}, now {})",
-                            scene.file.string(), scene.mesh_file.string(), made_of, hash));
+    throw Error(ErrorKind::scene, Place{scene.file.string()},
+                fmt::format("cannot be made again: {} is not the mesh that it was made of ({}, now {})",
+                            scene.mesh_file.string(), made_of, hash));
 }
 
 std::string scene_attribute(const Scene& scene) {

@@ -24,10 +24,10 @@ void check_outputs(const RenderOptions& options) {
   std::sort(files.begin(), files.end());
   const auto twice = std::adjacent_find(files.begin(), files.end());
   if (twice != files.end())
-    throw Error(ExitCode::usage, fmt::format("{}: two outputs cannot share a file", twice->string()));
+    throw Error(ErrorKind::usage, fmt::format("{}: two outputs cannot share a file", twice->string()));
   if (options.png && options.output.extension() == ".png")
-    throw Error(ExitCode::usage, fmt::format("{}: is the preview's name; name an .exr file, or say --no-png",
-                                             options.output.string()));
+    throw Error(ErrorKind::usage, Place{options.output.string()},
+                "is the preview's name; name an .exr file, or say --no-png");
 }
 
 }  // namespace
@@ -46,9 +46,9 @@ void RenderOptions::add_to(CLI::App& command) {
   command.add_option("--frames", frames, "SSAO: draw the frame so often, and report the fastest")
       ->check(CLI::Range(1, 100000));
   command
-      .add_option(
-          "--turntable", turntable,
-          "Render so many pictures along a full turn of the eye about `at`: out_0000.exr, out_0001.exr, ...")
+      .add_option("--turntable", turntable,
+                  "Render this number of pictures along a full turn of the eye about `at`: out_0000.exr, "
+                  "out_0001.exr, ...")
       ->check(CLI::Range(1, 100000));
   command.add_option("--stats", stats, "Write the run record as JSON");
   command.add_flag("--png,!--no-png", png,
@@ -72,7 +72,7 @@ StopTarget RenderOptions::check(const Scene& loaded) const {
   const bool screen_space = any([](EffectKind kind) { return kind == EffectKind::ssao; });
   const bool shard = checkpoints.share().has_value();
   const bool kept = shard || checkpoints.resume || !checkpoints.file(scene.scene, output).empty();
-  const auto fail = [](const char* why) { throw Error(ExitCode::usage, why); };
+  const auto fail = [](const char* why) { throw Error(ErrorKind::usage, why); };
   if (!sampled && stop.any()) fail("--error, --time: the scene has no effect with samples");
   if (!sampled && denoise) fail("--denoise: the scene has no effect with samples");
   if (loaded.denoise && !stop.any() && std::uint64_t(loaded.spp) * loaded.directions < 2)
@@ -86,7 +86,7 @@ StopTarget RenderOptions::check(const Scene& loaded) const {
   if (stop.error && shard) fail("--error: a share of a picture (--shard) has a fixed number of samples");
   if (stop.seconds && shard) fail("--time: a share of a picture (--shard) has a fixed number of samples");
   if (stop.error && !AdaptiveRender::can_use(loaded.sampler))
-    throw Error(ExitCode::usage,
+    throw Error(ErrorKind::usage,
                 fmt::format("--error: works with sampler independent, sobol or halton, not {}",
                             name_of(loaded.sampler)));
   if (target.dry_run && (kept || !stats.empty()))
@@ -103,23 +103,22 @@ void check_extension(const fs::path& file, std::span<const std::string_view> wri
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return char(std::tolower(c)); });
   if (!extension.empty() && std::find(written.begin(), written.end(), extension) == written.end())
-    throw Error(ExitCode::usage, fmt::format("{}: not a format that is written here ({})", file.string(),
-                                             fmt::join(written, ", ")));
+    throw Error(ErrorKind::usage, Place{file.string()},
+                fmt::format("not a format that is written here ({})", fmt::join(written, ", ")));
 }
 
 void check_writable(const fs::path& file) {
   std::error_code code;
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, code))
-    throw Error(ExitCode::output,
-                fmt::format("{}: the folder {} does not exist", file.string(), folder.string()));
-  if (fs::is_directory(file, code))
-    throw Error(ExitCode::output, fmt::format("{}: is a folder", file.string()));
+    throw Error(ErrorKind::output, Place{file.string()},
+                fmt::format("the folder {} does not exist", folder.string()));
+  if (fs::is_directory(file, code)) throw Error(ErrorKind::output, Place{file.string()}, "is a folder");
   if (fs::exists(file, code) && !fs::is_regular_file(file, code))
-    throw Error(ExitCode::output, fmt::format("{}: not a regular file", file.string()));
+    throw Error(ErrorKind::output, Place{file.string()}, "not a regular file");
   if (access(folder.c_str(), W_OK) != 0)
-    throw Error(ExitCode::output,
-                fmt::format("{}: the folder {} is not writable", file.string(), folder.string()));
+    throw Error(ErrorKind::output, Place{file.string()},
+                fmt::format("the folder {} is not writable", folder.string()));
 }
 
 // A film has 28 bytes a pixel and effect, and what a stop rule remembers; render order, pixel list and

@@ -29,7 +29,7 @@ std::pair<int, int> parse_size(const std::string& text) {
                                                    : std::from_chars_result{x, std::errc::invalid_argument};
   if (first != std::errc() || second != std::errc() || stop != end || width < 1 || height < 1 ||
       width > 65535 || height > 65535)
-    throw Error(ExitCode::usage,
+    throw Error(ErrorKind::usage,
                 fmt::format("--size: '{}' is not WIDTHxHEIGHT with 1 to 65535 pixels each", text));
   return {width, height};
 }
@@ -101,7 +101,7 @@ void SceneOptions::apply(Effect& effect) const {
     const auto keys = given();
     const auto flag = std::find_if(keys.begin(), keys.end(),
                                    [&](const KeyInfo* key) { return key->name == conflict->key; });
-    throw Error(ExitCode::usage,
+    throw Error(ErrorKind::usage,
                 fmt::format("{}: {}", flag == keys.end() ? conflict->key : (*flag)->flag, conflict->what));
   }
 }
@@ -126,16 +126,16 @@ Scene SceneOptions::load(const std::function<void(Scene&)>& choose) const {
 void SceneOptions::check_applicable(const Scene& loaded) const {
   for (const KeyInfo* key : given())
     if (!is_read(*key, loaded) && !std::getenv(key->variable().c_str()))
-      throw Error(ExitCode::usage, fmt::format("{}: {} has no effect {}", key->flag, loaded.file.string(),
-                                               readers_text(*key)));
+      throw Error(ErrorKind::usage, fmt::format("{}: {} has no effect {}", key->flag, loaded.file.string(),
+                                                readers_text(*key)));
 }
 
 void keep_inputs(const Scene& scene, const std::filesystem::path& output) {
   const auto refuse = [&](const std::filesystem::path& input) {
     std::error_code code;
     if (std::filesystem::equivalent(input, output, code))
-      throw Error(ExitCode::output,
-                  fmt::format("{}: is the scene's own file, it would be overwritten", output.string()));
+      throw Error(ErrorKind::output, Place{output.string()},
+                  "is the scene's own file, it would be overwritten");
   };
   refuse(scene.file);
   refuse(scene.mesh_file);

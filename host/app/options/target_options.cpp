@@ -34,7 +34,7 @@ void TargetOptions::add_to(CLI::App& command) {
 }
 
 StopTarget TargetOptions::resolve(const Scene& scene, bool spp) const {
-  const auto fail = [](const std::string& why) { throw Error(ExitCode::usage, why); };
+  const auto fail = [](const std::string& why) { throw Error(ErrorKind::usage, why); };
   if (spp && (error || seconds))
     fail(fmt::format("--spp: excludes {}, which --max-spp bounds", error ? "--error" : "--time"));
   StopTarget stop = spp ? StopTarget{} : scene.stop;
