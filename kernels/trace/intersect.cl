@@ -109,8 +109,7 @@ bool triangle_occludes(float3 o, float3 d, const RayShear* s, float max_distance
   if (!inside(&t)) return false;
   const float height = forward_height(&t, s->inverse_z), far = fabs(t.det) * limit_z;
   if (!(far > 0.0f && HEIGHT_LEFT(height, far) <= near_height)) return height > 0.0f && height < far;
-  const float distance = plane_distance(o, d, p0, p1, p2);
-  return distance > 0.0f && distance < max_distance;
+  return plane_within(o, d, p0, p1, p2, max_distance);
 }
 
 // Up to this number of near_heights, a hit's distance is taken from the plane, so that it is right to a thousandth of itself at worst.

@@ -88,4 +88,39 @@ float plane_distance(float3 o, float3 d, float3 a, float3 b, float3 c) {
   return approach.hi == 0.0f ? -1.0f : height.hi / approach.hi;
 }
 
+// The same of all axes at once: a - b = *rounded + what is returned.
+INLINE float3 lost_of_difference(float3 a, float3 b, float3* rounded) {
+  const float3 hi = a - b, of_b = hi - a;
+  *rounded = hi;
+  return (a - (hi - of_b)) - (b + of_b);
+}
+
+// a b - c d to 1.5 units in its last place (Kahan; Jeannerod, Louvet, Muller, Math. Comp. 2013).
+INLINE float3 difference_of_products(float3 a, float3 b, float3 c, float3 d) {
+  const float3 cd = c * d;
+  return fma(a, b, -cd) - fma(c, d, -cd);
+}
+
+// Whether 0 < plane_distance() < max_distance. In floats first: the normal of the exact edges, to 4 units in its last place and 2^-44 of
+// their products; height and approach with it, to 10 half ulps of their terms. Pairs of floats tell where that leaves it open.
+bool plane_within(float3 o, float3 d, float3 a, float3 b, float3 c, float max_distance) {
+  float3 u, v, q;
+  const float3 of_u = lost_of_difference(b, a, &u), of_v = lost_of_difference(c, a, &v), of_q = lost_of_difference(a, o, &q);
+  const float3 n = difference_of_products(u.yzx, v.zxy, u.zxy, v.yzx) +
+                   ((u.yzx * of_v.zxy + of_u.yzx * v.zxy) - (u.zxy * of_v.yzx + of_u.zxy * v.yzx));
+  const float3 h = n * q, along = n * d;
+  const float3 size_h = fabs(h), size_a = fabs(along), size_u = fabs(u), size_v = fabs(v), size_q = fabs(q), more = n * of_q;
+  const float lost = 1.1368684e-13f * (size_u.x + size_u.y + size_u.z) * (size_v.x + size_v.y + size_v.z) + 7.8886091e-31f;
+  const float height = (h.x + h.y + h.z) + (more.x + more.y + more.z), approach = along.x + along.y + along.z;
+  const float off_height = 5.9604645e-7f * (size_h.x + size_h.y + size_h.z) + lost * (1.0f + size_q.x + size_q.y + size_q.z);
+  const float off_approach = 5.9604645e-7f * (size_a.x + size_a.y + size_a.z) + 2.0f * lost;
+  const float sure_approach = fabs(approach) - off_approach;
+  if (fabs(height) > off_height && sure_approach > 0.0f) {
+    if ((height < 0.0f) != (approach < 0.0f)) return false;
+    if (fabs(height) + off_height < max_distance * sure_approach) return true;
+  }
+  const float t = plane_distance(o, d, a, b, c);
+  return t > 0.0f && t < max_distance;
+}
+
 #endif

@@ -58,9 +58,11 @@ INLINE leaf_int leaf_occludes(TREE_LEAF* leaf, const StreamRays* r, uint k, leaf
   shear_leaf(&t, leaf, r, k);
   const leaf_uint flip = (AS_LEAF_UINT(t.det) ^ as_uint(r->inverse_z[k])) & SIGN_BIT;
   const leaf_float height = AS_LEAF_FLOAT(AS_LEAF_UINT(t.height) ^ flip), far = fabs(t.det) * r->limit_z[k];
-  const leaf_float from_far = fabs(height - far), from_0 = fabs(height);
-  *near = t.inside & (far > 0.0f) & ((from_far < from_0 ? from_far : from_0) <= LOAD_LEAF(leaf->near_height));
-  return t.inside & (height > 0.0f) & (height < far) & ~*near;
+  // How far within (0, far) the height is, negative outside; NaN where far is.
+  const leaf_float rest = far - height, within = height < rest ? height : rest, least = LOAD_LEAF(leaf->near_height);
+  const leaf_int sure = t.inside & (within > least);
+  *near = t.inside & (far > 0.0f) & (within >= -least) & ~sure;
+  return sure;
 }
 
 // Whether ray k meets one of the `lanes` of a leaf, which it is inside of and near.
@@ -69,8 +71,8 @@ bool near_lanes_occlude(WITH_CUT_PARAMS TREE_LEAF* leaf, uint lanes, const RayDi
   const float3 o = ray_direction(origins, k), along = ray_direction(d, k);
   for (; lanes; lanes &= lanes - 1) {
     const uint lane = LOWEST_BIT(lanes);
-    const float t = plane_distance(o, along, leaf_vertex(leaf, 0, lane), leaf_vertex(leaf, 1, lane), leaf_vertex(leaf, 2, lane));
-    if (!(t > 0.0f && t < max_distance)) continue;
+    if (!plane_within(o, along, leaf_vertex(leaf, 0, lane), leaf_vertex(leaf, 1, lane), leaf_vertex(leaf, 2, lane), max_distance))
+      continue;
     if (!LANE_IN_HOLE(leaf, lane, o, along)) return true;
   }
   return false;

@@ -61,17 +61,26 @@ int or_8_lanes(int8 a) {
   return c.x | c.y;
 }
 
+// LEAF_MASK: of the lanes of a leaf that a comparison holds for (-1; the others 0).
+#if STREAM_AVX512 && defined(__AVX512VL__)
+#define LEAF_MASK(v) ((uint)__builtin_ia32_cmpd256_mask((v), (int8)(0), 4, (uchar)0xff))
+#elif defined(__AVX__) && defined(__clang__) && !TRAVERSAL_PORTABLE
+#define LEAF_MASK(v) ((uint)__builtin_ia32_movmskps256(as_float8(v)))
+#else
+#define LEAF_MASK(v) ((uint)or_8_lanes((v) & LEAF_BITS))
+#endif
+
 int or_lanes(int16 v) { return or_8_lanes(v.lo | v.hi); }
 
 #define OR_LEAF_LANES(v) or_8_lanes(v)
 
-// Asks for a node or leaf that is visited later.
+// Asks for all lines of a node or leaf that is visited later.
 #if defined(__clang__) && (defined(__x86_64__) || defined(__aarch64__))
 #define PREFETCH_LINE(p, line) __builtin_prefetch((const void*)((size_t)(p) + 64u * (line)))
 #define PREFETCH_ITEM(item)                                                                              \
   {                                                                                                      \
     if ((item) & BVH_LEAF) {                                                                             \
-      __attribute__((opencl_unroll_hint)) for (uint line = 0; line < sizeof(leaves->p) / 64; ++line) \
+      __attribute__((opencl_unroll_hint)) for (uint line = 0; line < sizeof(TriangleLeaf) / 64; ++line) \
           PREFETCH_LINE(&leaves[(item) & ~BVH_LEAF], line);                                              \
     } else {                                                                                             \
       __attribute__((opencl_unroll_hint)) for (uint line = 0; line < sizeof(BvhNode) / 64; ++line)      \

@@ -61,6 +61,7 @@ uint stream_occluded(BVH_PARAMS, const RayDirections* origins, const RayDirectio
   uint ray[32], item[32];    // a round's tests of nodes
   KeptLanes kept[32];        // what they found
   uint met[33 * BVH_WIDTH];  // leaf << 5 | ray
+  uint lanes_near[33 * BVH_WIDTH];
   uint open = active;        // rays not yet occluded
   for (uint waiting = active; waiting;) {
     uint count = 0;
@@ -83,24 +84,22 @@ uint stream_occluded(BVH_PARAMS, const RayDirections* origins, const RayDirectio
       leaves_met += append_lanes(met + leaves_met, (BVH_FIRST(node->leaves) - inner) << 5 | k, 32u, lanes & ~are_nodes);
     }
     for (uint i = 0; i < leaves_met; ++i) PREFETCH_ITEM(met[i] >> 5 | BVH_LEAF)
-    uint leaves_near = 0;  // the first of `met` from then on: leaves with triangles that their ray is near
+    uint leaves_near = 0;  // the first of `met` from then on: leaves with triangles that their ray is near, and which
     for (uint i = 0; i < leaves_met; ++i) {
       const uint k = met[i] & 31u;
       __global const TriangleLeaf* leaf = &leaves[met[i] >> 5];
       leaf_int near;
       const leaf_int hit = WITHOUT_HOLES(leaf, leaf_occludes(leaf, &rays, k, &near), origins, d, k);
-      open &= ~((uint)(OR_LEAF_LANES(hit) != 0) << k);
+      open &= ~((uint)(LEAF_MASK(hit) != 0u) << k);
       met[leaves_near] = met[i];
-      leaves_near += OR_LEAF_LANES(near) != 0;
+      lanes_near[leaves_near] = LEAF_MASK(near);
+      leaves_near += lanes_near[leaves_near] != 0u;
     }
     for (uint i = 0; i < leaves_near; ++i) {
       const uint k = met[i] & 31u;
       __global const TriangleLeaf* leaf = &leaves[met[i] >> 5];
       if (!(open >> k & 1u)) continue;
-      leaf_int near;
-      leaf_occludes(leaf, &rays, k, &near);
-      const uint lanes = (uint)OR_LEAF_LANES(near & LEAF_BITS);
-      if (near_lanes_occlude(WITH_CUT_ARGS leaf, lanes, origins, d, k, max_distance)) open &= ~(1u << k);
+      if (near_lanes_occlude(WITH_CUT_ARGS leaf, lanes_near[i], origins, d, k, max_distance)) open &= ~(1u << k);
     }
     waiting &= open;
   }
