@@ -14,11 +14,9 @@
 #include "picture/denoise_picture.hpp"
 #include "picture/picture.hpp"
 #include "picture/surface_layers.hpp"
-#include "plan/scene_mesh.hpp"
-#include "plan/tree_options.hpp"
 #include "points/texture_points.hpp"
+#include "render/scene_renderer.hpp"
 #include "scene/scene_toml.hpp"
-#include "trace/occlusion_tracer.hpp"
 
 namespace nook::bench {
 namespace {
@@ -98,14 +96,13 @@ std::vector<Case> all_cases() {
 // One scene ready to run, again and again.
 class Run {
  public:
-  Run(const Device& device, Scene scene, Case::What what)
+  Run(const Scene& scene, Case::What what)
       : what_(what),
-        mesh_(load_scene_mesh(scene, attributes_of(scene, what), scene.instancing)),
-        plan_(make_plan(scene, mesh_)),
-        bvh_(build_bvh(mesh_, {.width = tree_width(device.info(), plan_)})),
-        tracer_(device, plan_, mesh_, bvh_),
-        pixels_(pixels_in_order(plan_.window, plan_.width)) {
-    if (what == Case::What::texture) texels_ = texture_points(mesh_, 128);
+        renderer_(scene, [] { return Device(select_device("cpu")); },
+                  {.attributes = attributes_of(scene, what)}),
+        tracer_(renderer_.tracer()),
+        pixels_(pixels_in_order(plan().window, plan().width)) {
+    if (what == Case::What::texture) texels_ = texture_points(renderer_.mesh(), 128);
     tracer_.store_programs();
   }
 
@@ -133,22 +130,22 @@ class Run {
   void picture() {
     FilmPart part;
     part.films = tracer_.make_films();
-    part.layers = layer_names(plan_);
-    tracer_.accumulate(pixels_, {0, plan_.spp}, part.films);
+    part.layers = layer_names(plan());
+    tracer_.accumulate(pixels_, {0, plan().spp}, part.films);
     Image image = make_picture(part);
-    if (!plan_.surface) return;
+    if (!plan().surface) return;
     std::vector<std::uint32_t> row_major(pixels_);
     std::sort(row_major.begin(), row_major.end());
     const std::vector<SurfacePoint> surface = tracer_.surface_points(row_major);
-    add_surface_layers(plan_, surface, image.channels);
-    if (what_ == Case::What::denoised) denoise_picture(plan_, part.films, surface, image);
+    add_surface_layers(plan(), surface, image.channels);
+    if (what_ == Case::What::denoised) denoise_picture(plan(), part.films, surface, image);
   }
 
+  const Plan& plan() const { return renderer_.plan(); }
+
   Case::What what_;
-  TriangleMesh mesh_;
-  Plan plan_;
-  Bvh bvh_;
-  OcclusionTracer tracer_;
+  SceneRenderer renderer_;
+  OcclusionTracer& tracer_;
   std::vector<std::uint32_t> pixels_;
   TexturePoints texels_;
 };
@@ -165,11 +162,11 @@ Scene scene_of(const Settings& settings, const std::string& name) {
   return scene;
 }
 
-void measure(const Settings& settings, const Device& device, const Case& one) {
+void measure(const Settings& settings, const Case& one) {
   Scene scene = scene_of(settings, one.scene);
-  Run plain(device, scene, Case::What::picture);
+  Run plain(scene, Case::What::picture);
   one.change(scene);
-  Run changed(device, scene, one.what);
+  Run changed(scene, one.what);
   plain.once();
   changed.once();
   std::vector<double> ratios;
@@ -213,7 +210,6 @@ void measure(const Settings& settings, const Device& device, const Case& one) {
 }
 
 void run(const Settings& settings) {
-  const Device device(select_device("cpu"));
   std::printf("| against plain AO | time | rays |\n|---|---|---|\n");
   bool any = false;
   for (const Case& one : all_cases()) {
@@ -223,7 +219,7 @@ void run(const Settings& settings) {
                     [&](const std::string& part) { return one.name.find(part) != std::string::npos; });
     if (!asked) continue;
     any = true;
-    measure(settings, device, one);
+    measure(settings, one);
   }
   if (!any) throw Error(ErrorKind::usage, "--cases: no case has such a name");
 }

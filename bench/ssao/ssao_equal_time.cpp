@@ -4,20 +4,23 @@
 #include <chrono>
 #include <cmath>
 
-#include "plan/tree_options.hpp"
 #include "ssao/view.hpp"
 #include "trace/occlusion_tracer.hpp"
 
 namespace nook::bench {
+namespace {
+
+Scene one_ao(Scene scene, float radius) {
+  scene.effects = {Effect{}};
+  scene.effects[0].max_distance = {DistanceLimit::Kind::value, radius};
+  scene.spp = 1;
+  return scene;
+}
+
+}  // namespace
 
 TracedAo::TracedAo(const Scene& scene, const TriangleMesh& mesh, float radius)
-    : scene_(scene),
-      mesh_(mesh),
-      device_(select_device("")),
-      bvh_(build_bvh(mesh, {.width = tree_width(device_.info(), {})})) {
-  scene_.effects = {Effect{}};
-  scene_.effects[0].max_distance = {DistanceLimit::Kind::value, radius};
-  scene_.spp = 1;
+    : renderer_(one_ao(scene, radius), TriangleMesh(mesh), [] { return Device(select_device("")); }) {
   const double one = run(1).seconds, many = run(17).seconds;
   seconds_per_direction_ = (many - one) / 16;
   seconds_of_camera_rays_ = std::max(0.0, one - seconds_per_direction_);
@@ -29,11 +32,11 @@ TracedAo::Result TracedAo::in_time(double seconds) const {
 }
 
 TracedAo::Result TracedAo::run(std::uint32_t directions) const {
-  Scene scene = scene_;
+  Scene scene = renderer_.scene();
   scene.directions = directions;
-  const Plan plan = make_plan(scene, mesh_);
-  const std::vector<std::uint32_t> pixels = pixels_in_order(plan.window, plan.width);
-  OcclusionTracer tracer(device_, plan, mesh_, bvh_);
+  SceneRenderer renderer(renderer_, scene);
+  const std::vector<std::uint32_t> pixels = pixels_in_order(renderer.plan().window, renderer.plan().width);
+  OcclusionTracer& tracer = renderer.tracer();
   Result result{directions, 1e30, {}};
   for (int round = 0; round < 3 && (round == 0 || result.seconds < 1); ++round) {
     std::vector<Film> films = tracer.make_films();

@@ -3,8 +3,7 @@
 #include <vector>
 
 #include "bench/ssao/ssao_errors.hpp"
-#include "bvh/bvh.hpp"
-#include "device/device.hpp"
+#include "render/scene_renderer.hpp"
 
 namespace nook::bench {
 
@@ -24,10 +23,7 @@ class TracedAo {
 
  private:
   Result run(std::uint32_t directions) const;
-  Scene scene_;
-  const TriangleMesh& mesh_;
-  Device device_;
-  Bvh bvh_;
+  SceneRenderer renderer_;
   double seconds_of_camera_rays_, seconds_per_direction_;
 };
 

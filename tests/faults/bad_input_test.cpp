@@ -29,7 +29,7 @@ void make_inputs(const BadInput& row, const std::filesystem::path& folder) {
 
 class BadInputTest : public testing::TestWithParam<BadInput> {};
 
-TEST_P(BadInputTest, OneLineAndItsErrorKind) {
+TEST_P(BadInputTest, OneLineAndItsExitCode) {
   const BadInput& row = GetParam();
   TemporaryFolder folder;
   make_inputs(row, folder.path());

@@ -81,7 +81,7 @@ TEST_F(SsaoProgram, RefusesCheckpointsAndShards) {
   }
 }
 
-TEST_F(SsaoProgram, WithoutOsMesaOneLineAndErrorKind4) {
+TEST_F(SsaoProgram, WithoutOsMesaOneLineAndExitCode4) {
   write_scene("realtime = true\ntype = \"ssao\"\n");
   EXPECT_EQ(render("NOOK_OSMESA=libnook-no-such-library.so"), 4);
   const std::string message = test::read_bytes(folder / "stderr");

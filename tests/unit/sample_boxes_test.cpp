@@ -70,10 +70,10 @@ TEST(SampleBoxes, OverlapIsFoundExactlyWhereThereIsOne) {
 }
 
 TEST(SampleBoxes, ManyBoxesAreKeptFew) {
-  HeldSamples coverage;
+  HeldSamples held;
   for (std::uint32_t sample = 0; sample < 64; ++sample)
-    for (std::uint32_t p = 0; p < 4096; p += 2) coverage.add({p, p + 2, sample, sample + 1});
-  EXPECT_EQ(coverage.boxes(), (SampleBoxes{{0, 4096, 0, 64}}));
+    for (std::uint32_t p = 0; p < 4096; p += 2) held.add({p, p + 2, sample, sample + 1});
+  EXPECT_EQ(held.boxes(), (SampleBoxes{{0, 4096, 0, 64}}));
 }
 
 }  // namespace

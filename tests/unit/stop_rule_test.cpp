@@ -1,5 +1,6 @@
 // The stop rules' mathematics, without randomness: a sequential rule is a finite Markov chain over (samples,
-// hits), so bias and coverage follow exactly from summing the probabilities of where it ends.
+// hits), so bias and the share of intervals that hold follow exactly from summing the probabilities of where
+// it ends.
 #include "adaptive/stop_rule.hpp"
 
 #include <gtest/gtest.h>
@@ -116,7 +117,7 @@ TEST(CountRule, ThePlainMeanIsBiased) {
   EXPECT_LT(bias, -.1 * .02);
 }
 
-double coverage(const CountRule& rule, double p) {
+double held_share(const CountRule& rule, double p) {
   return expectation(outcomes(rule, p),
                      [&](const Outcome& end) { return double(rule.interval(end.n, end.k).contains(p)); });
 }
@@ -127,9 +128,9 @@ TEST(CountRule, IntervalsCoverAsOftenAsTheySay) {
     const CountRule rule({.error = error});
     for (const double p : probabilities) {
       if (std::min(p, 1 - p) < 3.9 * error || (error < .005 && std::min(p, 1 - p) > .06)) continue;
-      const double covered = coverage(rule, p);
-      EXPECT_GE(covered, .929) << "error " << error << ", p " << p;
-      EXPECT_LE(covered, .97) << "error " << error << ", p " << p;
+      const double held = held_share(rule, p);
+      EXPECT_GE(held, .929) << "error " << error << ", p " << p;
+      EXPECT_LE(held, .97) << "error " << error << ", p " << p;
     }
   }
 }
@@ -143,12 +144,12 @@ TEST(CountRule, TheEstimateIsAsAccurateAsItSays) {
       if (std::min(p, 1 - p) < 2.9 * error || (error < .01 && std::min(p, 1 - p) > .06)) continue;
       const auto ends = outcomes(rule, p);
       const auto off = [&](const Outcome& end) { return rule.estimate(end.n, end.k) - p; };
-      const double covered = expectation(ends, [&](const Outcome& end) {
+      const double held = expectation(ends, [&](const Outcome& end) {
         return double(std::abs(off(end)) <= rule.half_width(end.n, end.k));
       });
       const double square = expectation(ends, [&](const Outcome& end) { return off(end) * off(end); });
-      EXPECT_GE(covered, .93) << "error " << error << ", p " << p;
-      EXPECT_LE(covered, .97) << "error " << error << ", p " << p;
+      EXPECT_GE(held, .93) << "error " << error << ", p " << p;
+      EXPECT_LE(held, .97) << "error " << error << ", p " << p;
       EXPECT_LE(std::sqrt(square), 1.01 * error) << "error " << error << ", p " << p;
     }
   }
@@ -160,8 +161,8 @@ TEST(CountRule, IntervalsOfRareEventsAreWide) {
   for (const double error : {.02, .01, .005}) {
     const CountRule rule({.error = error});
     for (const double p : {.01, .02, .98, .99}) {
-      EXPECT_GE(coverage(rule, p), .929) << "error " << error << ", p " << p;
-      EXPECT_LE(coverage(rule, p), .99) << "error " << error << ", p " << p;
+      EXPECT_GE(held_share(rule, p), .929) << "error " << error << ", p " << p;
+      EXPECT_LE(held_share(rule, p), .99) << "error " << error << ", p " << p;
     }
   }
 }

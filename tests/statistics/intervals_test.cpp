@@ -26,7 +26,7 @@ namespace {
 constexpr int side = 64;
 constexpr double pixels = side * side;
 
-class CoverageTest : public ::testing::Test {
+class IntervalsTest : public ::testing::Test {
  protected:
   // The ceiling's half width, 25, is beyond the reach of every ray here.
   void SetUp() override {
@@ -53,10 +53,10 @@ class CoverageTest : public ::testing::Test {
   }
 
   struct Outcome {
-    double bias = 0, covered = 0, error = 0;  // bias: in standard errors of a pixel
+    double bias = 0, held = 0, error = 0;  // bias: in standard errors of a pixel
     double samples = 0;
-    double worst = 0;              // the largest error that a pixel claims
-    double covered_by_spread = 0;  // by the randomisations' plain spread and the normal quantile
+    double worst = 0;           // the largest error that a pixel claims
+    double held_by_spread = 0;  // by the randomisations' plain spread and the normal quantile
   };
   Outcome measure(const Scene& scene, double value, const ErrorTarget& target) const {
     const Plan made = plan(scene, target);
@@ -74,18 +74,18 @@ class CoverageTest : public ::testing::Test {
       const double error = double(estimates.value[i]) - value;
       out.bias += error / pixels;
       square += error * error / pixels;
-      out.covered += (error * error <= 1.96 * 1.96 * double(estimates.variance[i])) / pixels;
+      out.held += (error * error <= 1.96 * 1.96 * double(estimates.variance[i])) / pixels;
       out.samples += estimates.samples[i] / pixels;
       double spread = 0;
       for (std::size_t r = 0; made.sampler != Sampler::independent && r < 8; ++r)
         spread += std::pow(8 * double(film.kept[r][i]) / film.sum_scale / film.camera_samples[i] -
                                double(estimates.value[i]),
                            2);
-      out.covered_by_spread += (error * error <= 1.96 * 1.96 * spread / 56) / pixels;
+      out.held_by_spread += (error * error <= 1.96 * 1.96 * spread / 56) / pixels;
     }
     out.bias /= std::sqrt(square);
     std::printf("| %.2f | %s | %.4f | %+.3f | %.1f %% | %.0f |\n", value,
-                std::string(name_of(made.sampler)).c_str(), target.error, out.bias, 100 * out.covered,
+                std::string(name_of(made.sampler)).c_str(), target.error, out.bias, 100 * out.held,
                 out.samples);
     return out;
   }
@@ -95,9 +95,9 @@ class CoverageTest : public ::testing::Test {
   Bvh bvh_;
 };
 
-// A bias of a tenth of a standard error, a coverage from 93 to 97 %. The bias is known to .016, the coverage
-// to .3 %; what these seeds show lies well within.
-constexpr double bias_allowed = .1, coverage_allowed = .02;
+// A bias of a tenth of a standard error, 93 to 97 % of the intervals hold the value. The bias is known to
+// .016, the share to .3 %; what these seeds show lies well within.
+constexpr double bias_allowed = .1, held_allowed = .02;
 
 // An error well below the value and its complement, so that the number of hits takes many values.
 double error_for(double value) {
@@ -106,35 +106,35 @@ double error_for(double value) {
 
 constexpr double values[] = {.01, .03, .1, .3, .5, .7, .9, .97, .99};
 
-TEST_F(CoverageTest, CountsAreUnbiasedAndCovered) {
+TEST_F(IntervalsTest, CountsAreUnbiasedAndHeld) {
   for (const double value : values) {
     const double error = error_for(value);
     const Outcome out =
         measure(scene(value, Sampling::cosine, Sampler::independent), value, {.error = error});
     EXPECT_LE(std::abs(out.bias), bias_allowed) << value;
-    EXPECT_NEAR(out.covered, .95, coverage_allowed) << value;
+    EXPECT_NEAR(out.held, .95, held_allowed) << value;
     EXPECT_LE(out.error, error) << value;
   }
 }
 
 // Where the error asked is as large as the value, intervals cover too often rather than too seldom.
-TEST_F(CoverageTest, RareEventsAreUnbiased) {
+TEST_F(IntervalsTest, RareEventsAreUnbiased) {
   for (const Sampler sampler : {Sampler::independent, Sampler::sobol})
     for (const double value : {.01, .99}) {
       const Outcome out = measure(scene(value, Sampling::cosine, sampler), value, {.error = .01});
       EXPECT_LE(std::abs(out.bias), bias_allowed) << value;
-      EXPECT_GE(out.covered, .95 - coverage_allowed) << value;
+      EXPECT_GE(out.held, .95 - held_allowed) << value;
     }
 }
 
-TEST_F(CoverageTest, RandomisedSequencesAreUnbiasedAndCovered) {
+TEST_F(IntervalsTest, RandomisedSequencesAreUnbiasedAndHeld) {
   for (const Sampler sampler : {Sampler::sobol, Sampler::halton})
     for (const double value : values) {
       if (sampler == Sampler::halton && value != .03 && value != .5 && value != .99) continue;
       const double error = error_for(value);
       const Outcome out = measure(scene(value, Sampling::cosine, sampler), value, {.error = error});
       EXPECT_LE(std::abs(out.bias), bias_allowed) << value;
-      EXPECT_NEAR(out.covered, .95, coverage_allowed) << value;
+      EXPECT_NEAR(out.held, .95, held_allowed) << value;
       EXPECT_LE(out.error, error) << value;
       EXPECT_LE(out.worst, 1.25 * error) << value;
     }
@@ -142,26 +142,26 @@ TEST_F(CoverageTest, RandomisedSequencesAreUnbiasedAndCovered) {
 
 // That this measure can fail: eight randomisations know their spread too badly for the normal quantile
 // (P(|t| <= 1.96) = .91 with 7 degrees of freedom).
-TEST_F(CoverageTest, ThePlainSpreadDoesNotCover) {
+TEST_F(IntervalsTest, ThePlainSpreadDoesNotHold) {
   const Outcome out = measure(scene(.5, Sampling::cosine, Sampler::sobol), .5, {.error = .01});
-  EXPECT_LT(out.covered_by_spread, .95 - coverage_allowed);
+  EXPECT_LT(out.held_by_spread, .95 - held_allowed);
 }
 
 // Weighted samples (2 cos θ, 4 cos θ): with a pilot, and by randomisations.
-TEST_F(CoverageTest, WeightedSamplesAreUnbiasedAndCovered) {
+TEST_F(IntervalsTest, WeightedSamplesAreUnbiasedAndHeld) {
   for (const Sampler sampler : {Sampler::independent, Sampler::sobol})
     for (const Sampling sampling : {Sampling::hemisphere, Sampling::sphere})
       for (const double value : {.1, .5, .9}) {
         const Outcome out = measure(scene(value, sampling, sampler), value, {.error = .02});
         EXPECT_LE(std::abs(out.bias), bias_allowed) << value;
-        EXPECT_NEAR(out.covered, .95, coverage_allowed) << value;
+        EXPECT_NEAR(out.held, .95, held_allowed) << value;
         EXPECT_LE(out.error, .02) << value;
       }
 }
 
 // Head-on (from far above, through a narrow angle) an open sky reflects 1 from a lobe of any exponent: its
 // directions' weights (n + 2)/(n + 1) N·ω spread about that. Rays of length .5 do not reach the ceiling.
-TEST_F(CoverageTest, ReflectionIsUnbiasedAndCovered) {
+TEST_F(IntervalsTest, ReflectionIsUnbiasedAndHeld) {
   for (const Sampler sampler : {Sampler::independent, Sampler::sobol})
     for (const float exponent : {1.0f, 20.0f}) {
       Scene reflected = scene(.5, Sampling::lobe, sampler);
@@ -172,17 +172,17 @@ TEST_F(CoverageTest, ReflectionIsUnbiasedAndCovered) {
       const double error = exponent > 10 ? .003 : .01;
       const Outcome out = measure(reflected, 1, {.error = error});
       EXPECT_LE(std::abs(out.bias), bias_allowed) << exponent;
-      EXPECT_GE(out.covered, .95 - coverage_allowed) << exponent;
+      EXPECT_GE(out.held, .95 - held_allowed) << exponent;
       // Samples that hardly vary: a pilot's interval is wider than they ask for.
       if (sampler == Sampler::sobol || exponent < 10) {
-        EXPECT_LE(out.covered, .95 + coverage_allowed) << exponent;
+        EXPECT_LE(out.held, .95 + held_allowed) << exponent;
       }
       EXPECT_LE(out.error, error) << exponent;
     }
 }
 
 // With a falloff samples have all values between 0 and 1, and are no counts.
-TEST_F(CoverageTest, OnlyCountsAreCounted) {
+TEST_F(IntervalsTest, OnlyCountsAreCounted) {
   EffectPlan effect;
   EXPECT_TRUE(samples_are_counts(effect, 1));
   EXPECT_FALSE(samples_are_counts(effect, 2));
@@ -198,7 +198,7 @@ TEST_F(CoverageTest, OnlyCountsAreCounted) {
   EXPECT_FALSE(samples_are_counts(effect, 1));
 }
 
-TEST_F(CoverageTest, SameBitsEveryTime) {
+TEST_F(IntervalsTest, SameBitsEveryTime) {
   for (const Sampler sampler : {Sampler::independent, Sampler::sobol}) {
     const ErrorTarget target{.error = .02};
     const Plan made = plan(scene(.5, Sampling::cosine, sampler), target);
@@ -210,7 +210,7 @@ TEST_F(CoverageTest, SameBitsEveryTime) {
 
 // The pilot's spp against what the render then takes; the pilot of the second has not the time to reach the
 // error.
-TEST_F(CoverageTest, TheForecastHolds) {
+TEST_F(IntervalsTest, TheForecastHolds) {
   for (const Sampler sampler : {Sampler::independent, Sampler::sobol})
     for (const double error : {.02, .004}) {
       if (sampler == Sampler::independent && error < .01) continue;
@@ -234,7 +234,7 @@ double processor_seconds() {
 
 // What a pilot says of the time: of the processors', which other work on the machine hardly changes, and,
 // where there is none (the render has nine tenths of all processors), of the clock on the wall.
-TEST_F(CoverageTest, TheForecastOfTimeHolds) {
+TEST_F(IntervalsTest, TheForecastOfTimeHolds) {
   if (!std::getenv("NOOK_TEST_LONG")) GTEST_SKIP() << "renders for a minute: NOOK_TEST_LONG=1";
   for (const Sampler sampler : {Sampler::independent, Sampler::sobol}) {
     const ErrorTarget target{.error = sampler == Sampler::sobol ? .002 : .008};
@@ -263,7 +263,7 @@ TEST_F(CoverageTest, TheForecastOfTimeHolds) {
   }
 }
 
-TEST_F(CoverageTest, AMissedTargetIsErrorKind5) {
+TEST_F(IntervalsTest, AMissedTargetIsExitCode5) {
   const std::string render = std::string(NOOK_PROGRAM) + " render " +
                              (folder_.path() / "ceiling.obj").string() + " --quiet --size 64x64 ";
   const auto code = [](const std::string& command) {
