@@ -28,7 +28,7 @@ int open_unused(const fs::path& path) {
   if (file < 0) return -1;
   const bool locked = ::flock(file, LOCK_EX | LOCK_NB) == 0;
   if (made && !locked && errno != EWOULDBLOCK) return file;  // no locks on this file system
-  struct stat opened, named;
+  struct stat opened = {}, named = {};
   const bool ours = locked && ::fstat(file, &opened) == 0 && S_ISREG(opened.st_mode) &&
                     opened.st_nlink == 1 && opened.st_uid == ::geteuid() &&
                     // Whoever had it may have renamed it before it was locked here.

@@ -119,13 +119,13 @@ class Builder {
       return;
     }
     if (count > 2) {
-      std::array<Reference, sweep_at> held;
+      std::array<Reference, sweep_at> held;  // NOLINT(cppcoreguidelines-pro-type-member-init)
       std::copy_n(references, count, held.begin());
       Order best_order{};
       float best = infinity;
       for (int axis = 0; axis < 3; ++axis) {
         const Order order = sorted(held.data(), count, axis);
-        std::array<float, sweep_at> right_cost;
+        std::array<float, sweep_at> right_cost;  // NOLINT(cppcoreguidelines-pro-type-member-init)
         Box4 right = Box4::empty(), left = Box4::empty();
         for (std::uint32_t i = count - 1; i > 0; --i) {
           right.add(held[order[i]].low(), held[order[i]].high());
@@ -154,7 +154,7 @@ class Builder {
   /// By rising centre.
   static Order sorted(const Reference* references, std::uint32_t count, int axis) {
     Order order;
-    std::array<float, sweep_at> centers;
+    std::array<float, sweep_at> centers;  // NOLINT(cppcoreguidelines-pro-type-member-init)
     for (std::uint32_t i = 0; i < count; ++i) {
       const float center = references[i].lo[axis] + references[i].hi[axis];
       std::uint32_t j = i;

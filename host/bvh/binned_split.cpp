@@ -13,7 +13,7 @@ struct Bins {
   Box4 box[3][most_bins];
   std::uint32_t count[3][most_bins];
 
-  explicit Bins(int bins = most_bins) {
+  explicit Bins(int bins = most_bins) {  // NOLINT(cppcoreguidelines-pro-type-member-init)
     for (int axis = 0; axis < 3; ++axis) {
       std::fill_n(box[axis], bins, Box4::empty());
       std::fill_n(count[axis], bins, 0u);

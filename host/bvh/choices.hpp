@@ -25,7 +25,7 @@ class Choices {
     return tree_.nodes[node].is_leaf() || choices_[tree_.inner_number(node)].as_leaf;
   }
 
-  struct Children {
+  struct Children {  // NOLINT(cppcoreguidelines-pro-type-member-init)
     std::uint32_t count = 0;
     std::array<std::uint32_t, most_width> roots;  ///< of the binary tree
   };

@@ -56,7 +56,7 @@ int make_lock(const fs::path& folder, fs::path& lock) {
     const int file = mkostemps(name.data(), int(std::string(lock_suffix).size()), O_CLOEXEC);
     if (file < 0) return -1;
     lock = name;
-    struct stat status;
+    struct stat status = {};
     const bool locked = flock(file, LOCK_EX | LOCK_NB) == 0;
     const int error = errno;
     // Another process may have taken it for a dead one's before it was locked.
@@ -146,7 +146,7 @@ int make_private_folder_in(const fs::path& temporary) {
     chmod(folder.c_str(), 0700);  // whatever the umask
   else if (errno != EEXIST)
     return errno;
-  struct stat status;
+  struct stat status = {};
   if (lstat(folder.c_str(), &status) != 0) return errno;
   const bool ours = S_ISDIR(status.st_mode) && status.st_uid == geteuid() && (status.st_mode & 0777) == 0700;
   return ours ? make_folder_in(folder) : EACCES;

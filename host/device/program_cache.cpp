@@ -37,7 +37,7 @@ std::string cache_key(const Device& device, const std::string& source, const std
 
 std::vector<unsigned char> read_entry(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  Header header;
+  Header header{};
   if (!in.read(reinterpret_cast<char*>(&header), sizeof header)) return {};
   std::error_code ignored;
   if (std::memcmp(header.magic, magic, sizeof magic) != 0 ||
@@ -53,7 +53,7 @@ void write_entry(const std::filesystem::path& file, const std::vector<unsigned c
   std::error_code failed;
   std::filesystem::create_directories(file.parent_path(), failed);
   const std::filesystem::path temporary = file.string() + fmt::format(".{}.tmp", getpid());
-  Header header;
+  Header header{};
   std::memcpy(header.magic, magic, sizeof magic);
   header.bytes = binary.size();
   header.checksum = XXH3_64bits(binary.data(), binary.size());

@@ -112,7 +112,7 @@ FilmPart read_checked(const std::filesystem::path& path) {
   const std::uint64_t size = size_of_regular_file(path);
   std::ifstream in(path, std::ios::binary);
   if (!in) reject(path, "cannot be read");
-  Start start;
+  Start start{};
   if (!in.read(reinterpret_cast<char*>(&start), sizeof start) ||
       std::memcmp(start.magic, magic, sizeof magic) != 0)
     reject(path, "not a part of a render (see nook render --checkpoint, --shard)");

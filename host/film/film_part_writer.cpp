@@ -74,7 +74,7 @@ class Writer {
 void write_film_part(const std::filesystem::path& path, const FilmPart& part) {
   const Extent extent = extent_of(part.films);
   const std::string header = to_json(part, extent).dump();
-  Start start;
+  Start start{};
   std::memcpy(start.magic, magic, sizeof magic);
   start.version = format_version;
   start.header_bytes = std::uint32_t(header.size());

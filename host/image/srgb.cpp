@@ -18,8 +18,8 @@ double srgb_to_linear(double encoded) {
 /// one threshold at most.
 struct Table {
   static constexpr int bins = 4096;
-  std::array<float, 256> threshold;
-  std::array<std::uint8_t, bins + 1> first;
+  std::array<float, 256> threshold{};
+  std::array<std::uint8_t, bins + 1> first{};
 
   Table() {
     for (int code = 0; code < 255; ++code)

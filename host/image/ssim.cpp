@@ -17,7 +17,7 @@ constexpr double c1 = 0.01 * 0.01;  // (K1 L)²
 constexpr double c2 = 0.03 * 0.03;  // (K2 L)²
 
 std::array<double, window> gaussian() {
-  std::array<double, window> weight;
+  std::array<double, window> weight{};
   double sum = 0;
   for (int i = 0; i < window; ++i) {
     const double d = i - window / 2;

@@ -30,7 +30,6 @@ class PointGrid {
  public:
   explicit PointGrid(std::span<const SurfacePoint> points) {
     std::size_t count = 0;
-    lo_ = dvec3(HUGE_VAL), hi_ = dvec3(-HUGE_VAL);
     for (const SurfacePoint& p : points)
       if (used(p)) ++count, lo_ = glm::min(lo_, origin_of(p)), hi_ = glm::max(hi_, origin_of(p));
     side_ = std::clamp(int(std::cbrt(double(count))), 1, 128);
@@ -76,7 +75,7 @@ class PointGrid {
            std::size_t(cell(o, 0));
   }
 
-  dvec3 lo_, hi_;
+  dvec3 lo_{HUGE_VAL}, hi_{-HUGE_VAL};
   int side_ = 1;
   std::vector<std::uint32_t> first_, points_;
 };
@@ -150,7 +149,7 @@ class Mover {
  private:
   template <class Place>
   void meet(std::uint32_t triangle, const Place& place) {
-    std::array<vec3, 3> p;
+    std::array<vec3, 3> p{};
     for (std::size_t k = 0; k < 3; ++k) p[k] = place(mesh_.positions[mesh_.triangles[triangle][k]]);
     const Facet facet(p);
     if (facet.normal == dvec3(0)) return;

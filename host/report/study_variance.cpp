@@ -78,9 +78,10 @@ void StudyScene::predict(std::vector<StudyMethod>& methods) const {
       second = sampling == Sampling::cosine       ? hemisphere().value
                : sampling == Sampling::hemisphere ? hemisphere().second
                                                   : 2 * hemisphere().second;
+      const bool uniform = effect.uniform_weight;
       formula = sampling == Sampling::cosine       ? "A − A²"
-                : sampling == Sampling::hemisphere ? "2M − A²"
-                                                   : "4M − A²";
+                : sampling == Sampling::hemisphere ? (uniform ? "A − A²" : "2M − A²")
+                                                   : (uniform ? "2A − A²" : "4M − A²");
     } else {
       const Moments own = moments(sampling, effect.exponent);
       second = own.second;

@@ -2,6 +2,7 @@
 //   AO = 1/(pi sin² a) ∫_cone V(w) N.w dw
 //   cosine      pdf = N.w/(pi sin² a)        weight = 1: the disk under the hemisphere, shrunk to radius sin a
 //   hemisphere  pdf = 1/(2 pi (1 - cos a))   weight = 2 N.w / (1 + cos a), in [0, 2]
+// With WEIGHT_UNIFORM, AO = 1/(2 pi (1 - cos a)) ∫_cone V(w) dw: hemisphere alone, weight = 1.
 #ifndef NOOK_CONE_CL
 #define NOOK_CONE_CL
 
