@@ -102,7 +102,7 @@ int bake(const BakeOptions& options) {
   SceneRenderer renderer(
       scene, [&] { return options.device.open(); }, std::move(made));
   const TriangleMesh& mesh = renderer.mesh();
-  warn_of(mesh);
+  warn_of(scene, mesh, Viewer::none);
   const Plan& plan = renderer.plan();
   for (const EffectPlan& effect : plan.effects)
     if (effect.effect.view_space || effect.effect.side == Side::viewer)

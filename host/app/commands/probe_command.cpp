@@ -11,6 +11,8 @@
 #include "app/options/loading.hpp"
 #include "app/options/scene_options.hpp"
 #include "base/error.hpp"
+#include "base/to_stderr.hpp"
+#include "plan/proportions.hpp"
 #include "points/outside.hpp"
 #include "points/points.hpp"
 #include "render/point_estimates.hpp"
@@ -69,12 +71,15 @@ int probe(const ProbeOptions& options) {
   made.attributes = attributes;
   SceneRenderer renderer(
       scene, [&] { return options.device.open(); }, std::move(made));
-  warn_of(renderer.mesh());
+  warn_of(scene, renderer.mesh(), Viewer::none);
   const bool needs_view = scene.effects.front().kind == EffectKind::ro;
   const Frame& frame = renderer.mesh().frame;
   std::vector<SurfacePoint> points = options.points == "-"
                                          ? read_points(std::cin, "standard input", needs_view, frame)
                                          : load_points(options.points, needs_view, frame);
+  const std::string far = far_points_warning(
+      scene, renderer.mesh(), points, options.points == "-" ? "standard input" : options.points.string());
+  if (!far.empty()) to_stderr("warning: {}\n", far);
   move_outside(points, renderer.mesh());
   renderer.expect_rays(double(points.size()) * options.samples);
   const Film film = std::move(renderer.estimate(points, options.samples).front());

@@ -63,7 +63,7 @@ SceneRenderer make_renderer(const Scene& scene, const RenderOptions& options,
   made.attributes = needed_attributes(scene, alone ? aovs.normal : made.surface);
   SceneRenderer renderer(
       scene, [device = options.device] { return device.open(); }, std::move(made));
-  warn_of(renderer.mesh());
+  warn_of(scene, renderer.mesh(), Viewer::camera);
   return renderer;
 }
 

@@ -192,7 +192,7 @@ void StudyJob::run() {
   renderer_.emplace(
       scene_, [this] { return options_.device.open(); }, std::move(prepared));
   renderer_->expect_rays(std::numeric_limits<double>::infinity());  // a study's are many
-  warn_of(renderer_->mesh());
+  warn_of(scene_, renderer_->mesh(), Viewer::camera);
   catch_interrupts();
 
   const double rate = scene_of(size_of(scene_, 20000)).samples_per_second();

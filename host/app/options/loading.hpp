@@ -5,10 +5,13 @@
 
 namespace nook {
 
-/// What the mesh's readers warn of goes to stderr, a line each.
-void warn_of(const TriangleMesh& mesh);
+/// Who looks at the surfaces that effects are estimated at.
+enum class Viewer { camera, none };
 
-/// load_scene_mesh(), and warn_of() it.
+/// What the mesh's readers warn of, and proportions_warning(), go to stderr, a line each.
+void warn_of(const Scene& scene, const TriangleMesh& mesh, Viewer viewer);
+
+/// load_scene_mesh(), and warn_of() it as the scene's camera sees it.
 TriangleMesh load_and_warn(const Scene& scene, const MeshAttributes& attributes,
                            Instancing instancing = Instancing::copies);
 

@@ -1,0 +1,139 @@
+#include "plan/coarse_survey.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "base/task_pool.hpp"
+#include "base/threads.hpp"
+#include "mesh/instance.hpp"
+
+namespace nook {
+namespace {
+
+constexpr std::size_t grain = 1 << 16;   // triangles that a thread takes at a time
+constexpr std::size_t most_coarse = 16;  // that are kept
+constexpr std::size_t most_small = 64;   // samples of small triangles
+
+CoarseTriangle triangle_of(const TriangleMesh& mesh, std::size_t i) {
+  const auto& t = mesh.triangles[i];
+  return {i, mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]};
+}
+
+// visit(piece, triangle) for all triangles of a mesh without instances, and join(piece) for each piece.
+template <class Piece, class Visit, class Join>
+void for_pieces(const TriangleMesh& mesh, const Visit& visit, const Join& join) {
+  TaskPool pool(threads_to_use());
+  std::mutex mutex;
+  pool.for_ranges(mesh.triangles.size(), grain, [&](std::size_t begin, std::size_t end) {
+    Piece piece;
+    for (std::size_t i = begin; i < end; ++i) visit(piece, triangle_of(mesh, i));
+    const std::scoped_lock lock(mutex);
+    join(piece);
+  });
+}
+
+}  // namespace
+
+void CoarseSurvey::look_at(const CoarseTriangle& t, const std::optional<dvec3>& eye) {
+  if (t.normal == dvec3(0)) return;
+  ++triangles;
+  least_extent = std::min(least_extent, t.extent);
+  take_larger(t);
+  keep(t);
+  if (t.width < t.width_resolution()) {
+    ++narrow;
+    narrowest.add(t, t.width_resolution(), t.width);
+  }
+  if (eye && std::abs(glm::dot(t.normal, *eye - t.corner[0])) < t.resolution) {
+    const double distance = t.distance(*eye);
+    if (distance > 0) from_eye.add(t, t.resolution, distance);
+  }
+}
+
+void CoarseSurvey::keep(const CoarseTriangle& t) {
+  if (coarsest.size() == most_coarse && !t.coarser_than(coarsest.back())) return;
+  const auto place = std::find_if(coarsest.begin(), coarsest.end(),
+                                  [&](const CoarseTriangle& other) { return t.coarser_than(other); });
+  coarsest.insert(place, t);
+  if (coarsest.size() > most_coarse) coarsest.pop_back();
+}
+
+void CoarseSurvey::take_larger(const CoarseTriangle& t) {
+  if (!largest || t.extent > largest->extent || (t.extent == largest->extent && t.number < largest->number))
+    largest = t;
+}
+
+void CoarseSurvey::add(const CoarseSurvey& other) {
+  triangles += other.triangles, narrow += other.narrow;
+  least_extent = std::min(least_extent, other.least_extent);
+  narrowest.add(other.narrowest), from_eye.add(other.from_eye);
+  if (other.largest) take_larger(*other.largest);
+  for (const CoarseTriangle& t : other.coarsest) keep(t);
+}
+
+CoarseSurvey survey_of(const TriangleMesh& mesh, const std::optional<dvec3>& eye) {
+  CoarseSurvey whole;
+  if (mesh.instances.empty()) {
+    for_pieces<CoarseSurvey>(
+        mesh, [&](CoarseSurvey& piece, const CoarseTriangle& t) { piece.look_at(t, eye); },
+        [&](const CoarseSurvey& piece) { whole.add(piece); });
+    return whole;
+  }
+  std::vector<CoarseSurvey> of_part(mesh.parts.size());
+  for (std::size_t p = 0; p < mesh.parts.size(); ++p)
+    for (std::uint32_t i = 0; i < mesh.parts[p].triangles; ++i)
+      of_part[p].look_at(triangle_of(mesh, mesh.parts[p].first_triangle + i), {});
+  for (const TriangleMesh::Instance& instance : mesh.instances)
+    for (const CoarseTriangle& own : of_part[instance.part].coarsest) {
+      std::array<vec3, 3> p;
+      for (std::size_t k = 0; k < 3; ++k) p[k] = placed_position(instance.place, vec3(own.corner[k]));
+      const std::uint64_t number =
+          instance.place.first_triangle + own.number - mesh.parts[instance.part].first_triangle;
+      whole.look_at({number, p[0], p[1], p[2]}, eye);
+    }
+  whole.narrow = 0;
+  return whole;
+}
+
+CoarsestFor coarsest_for_small(const TriangleMesh& mesh, const CoarseSurvey& survey) {
+  if (survey.coarsest.empty() || survey.least_extent >= survey.coarsest.front().resolution) return {};
+  std::vector<std::uint32_t> small;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    if (const CoarseTriangle t = triangle_of(mesh, i);
+        t.normal != dvec3(0) && t.extent < 0.01 * survey.largest->extent)
+      small.push_back(std::uint32_t(i));
+  const std::size_t count = std::min(small.size(), most_small);
+  std::vector<CoarseTriangle> samples;
+  for (std::size_t i = 0; i < count; ++i)
+    samples.push_back(triangle_of(mesh, small[i * small.size() / count]));
+
+  using Found = std::vector<CoarsestFor>;
+  Found whole(count);
+  struct Piece {
+    Found of;
+  };
+  const auto visit = [&](Piece& piece, const CoarseTriangle& t) {
+    piece.of.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const CoarseTriangle& s = samples[i];
+      if (s.extent >= t.resolution) continue;
+      const dvec3 middle = (s.corner[0] + s.corner[1] + s.corner[2]) / 3.0;
+      if (std::abs(glm::dot(t.normal, middle - t.corner[0])) < t.resolution &&
+          t.distance(middle) < t.resolution)
+        piece.of[i].add(t, t.resolution, s.extent);
+    }
+  };
+  for_pieces<Piece>(mesh, visit, [&](const Piece& piece) {
+    for (std::size_t i = 0; i < piece.of.size(); ++i) whole[i].add(piece.of[i]);
+  });
+  CoarsestFor largest;
+  std::size_t near = 0;
+  for (const CoarsestFor& of_sample : whole) {
+    if (!of_sample.triangle) continue;
+    if (near++ == 0 || of_sample.distance > largest.distance) largest = of_sample;
+  }
+  return 4 * near > count ? largest : CoarsestFor();
+}
+
+}  // namespace nook
