@@ -32,6 +32,13 @@ inline Film estimate_at_origin(const TriangleMesh& mesh, const Effect& effect,
   return tracer.estimate_points({&point, 1}, 0, directions);
 }
 
+/// AO of what lies within `distance`.
+inline Effect ao_within(float distance) {
+  Effect effect;
+  effect.max_distance = {DistanceLimit::Kind::value, distance};
+  return effect;
+}
+
 /// |estimate - expected| within 4 standard errors (two-sided p = 6e-5), and those small enough to mean
 /// something.
 inline void expect_value(const Film& film, double expected) {

@@ -43,12 +43,6 @@ Scene of_courtyard(const Effect& effect, std::uint32_t spp, std::uint32_t direct
   return scene;
 }
 
-Effect ao_within(float distance) {
-  Effect effect;
-  effect.max_distance = {DistanceLimit::Kind::value, distance};
-  return effect;
-}
-
 TriangleMesh as_loaded(TriangleMesh mesh) {
   end_with_longest_edges(mesh);
   return with_bounds(std::move(mesh));

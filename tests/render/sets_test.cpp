@@ -1,9 +1,13 @@
 // Sets of occluders and receivers against their oracle: the scene without the other triangles, bit for bit.
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "effects_geometry.hpp"
+#include "mesh/instance.hpp"
 #include "mesh/obj_loader.hpp"
 #include "plan/scene_mesh.hpp"
 #include "points/points.hpp"
@@ -228,6 +232,21 @@ TEST(Sets, TheGroundCatchesShadows) {
     caught += height[i] < -0.4f && value[i] > 0 && value[i] < 1;
   }
   EXPECT_GT(caught, 20);
+}
+
+// A ground one below a point of a wall: directions with d.y < -1/R meet it within R, of the disc that
+// cosine-weighted directions fill a segment of (arccos c - c sqrt(1 - c²)) / π; without a limit it is half of
+// the disc.
+TEST(Sets, GroundUnderAWall) {
+  constexpr double c = 0.5;  // height 1 over the limit 2
+  TriangleMesh wall;
+  add_quad(wall, {-0.01f, -0.01f, -1}, {0.02f, 0, 0}, {0, 0.02f, 0});
+  append_ground(wall, -1, 1000);
+  expect_value(estimate_at_origin(wall, ao_within(2)),
+               1 - (std::acos(c) - c * std::sqrt(1 - c * c)) / std::numbers::pi);
+  Effect endless;
+  endless.max_distance = {DistanceLimit::Kind::none, 0};
+  expect_value(estimate_at_origin(wall, endless), 0.5);
 }
 
 TEST(Sets, UnknownNamesNameTheKnownOnes) {

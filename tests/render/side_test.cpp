@@ -1,0 +1,72 @@
+// Which side of a surface is looked from, against closed forms. Receiver at the origin, normal +z. Under an
+// endless ceiling at height h, a direction at cosine m to the normal meets it at t = h/m; with c = h/R (R the
+// distance limit) cosine-weighted values are integrals over 2 m dm, and the directions with m < c are open.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "effects_geometry.hpp"
+
+namespace nook::test {
+namespace {
+
+constexpr double c = 0.5;  // h = 1, R = 2
+
+// A slab of thickness 1 under the receiver: looking inside is looking at a ceiling; the outside is open.
+TEST(Side, InsideLooksTheOtherWay) {
+  TriangleMesh slab = plane_at(0);
+  const TriangleMesh bottom = plane_at(-1);
+  add_quad(slab, bottom.positions[0], bottom.positions[1] - bottom.positions[0],
+           bottom.positions[3] - bottom.positions[0]);
+  Effect effect = ao_within(2);
+  EXPECT_EQ(estimate_at_origin(slab, effect).value(0), 1);
+  effect.side = Side::inside;
+  expect_value(estimate_at_origin(slab, effect), c * c);
+}
+
+// What camera rays find, too: from above, the slab's inside is the same everywhere.
+TEST(Side, InsideOfASlabUnderTheCamera) {
+  TriangleMesh slab = plane_at(0);
+  add_quad(slab, {-1000, -1000, -1}, {2000, 0, 0}, {0, 2000, 0});
+  Scene scene;
+  scene.camera = {{0.3f, 0.4f, 5}, {0, 0, 0}, {0, 1, 0}, 40};
+  scene.width = scene.height = 16;
+  scene.spp = 64;
+  scene.effects = {ao_within(2)};
+  scene.effects[0].side = Side::inside;
+  const Plan plan = make_plan(scene, slab);
+  const Bvh bvh = build_bvh(slab);
+  OcclusionTracer tracer(device(), plan, slab, bvh);
+  std::vector<Film> films = tracer.make_films();
+  tracer.accumulate(pixels_in_order(plan.window, plan.width), {0, scene.spp}, films);
+  double mean = 0;
+  for (std::size_t i = 0; i < films[0].pixels(); ++i) mean += films[0].value(i) / double(films[0].pixels());
+  EXPECT_NEAR(mean, c * c, 4 * std::sqrt(0.1875 / (256 * 64)));
+}
+
+// A plane with its normal upwards, a ceiling above it, the camera below: the normal's side is half hidden,
+// the viewer's is open.
+TEST(Side, ViewersSide) {
+  TriangleMesh mesh = plane_at(0);
+  add_quad(mesh, {-1000, -1000, 1}, {2000, 0, 0}, {0, 2000, 0});
+  Scene scene;
+  scene.camera = {{0.3f, 0.4f, -5}, {0, 0, 0}, {0, 1, 0}, 40};
+  scene.width = scene.height = 8;
+  scene.spp = 64;
+  scene.effects = {ao_within(2), ao_within(2)};
+  scene.effects[1].side = Side::viewer;
+  const Plan plan = make_plan(scene, mesh);
+  const Bvh bvh = build_bvh(mesh);
+  OcclusionTracer tracer(device(), plan, mesh, bvh);
+  std::vector<Film> films = tracer.make_films();
+  tracer.accumulate(pixels_in_order(plan.window, plan.width), {0, scene.spp}, films);
+  double mean = 0;
+  for (std::size_t i = 0; i < films[0].pixels(); ++i) {
+    mean += films[0].value(i) / double(films[0].pixels());
+    EXPECT_EQ(films[1].value(i), 1);
+  }
+  EXPECT_NEAR(mean, c * c, 4 * std::sqrt(0.1875 / (64 * 64)));
+}
+
+}  // namespace
+}  // namespace nook::test
