@@ -79,7 +79,7 @@ struct TriangleMesh {
     Bounds3 bounds;         ///< of the positions that its triangles use, its own coordinates
     bool all_used = false;  ///< no position is without a triangle
   };
-  struct Instance {
+  struct Instance {    // NOLINT(cppcoreguidelines-pro-type-member-init): PlacedMesh is a struct of C
     PlacedMesh place;  ///< root and meshes are set by the tree's builder
     std::uint32_t part = 0;
   };
