@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -19,10 +20,11 @@ struct CoarseSurvey {
   std::uint64_t triangles = 0, narrow = 0;  ///< with an area; narrower than their resolution
   CoarsestFor narrowest, from_eye;
 
-  void look_at(const CoarseTriangle& t, const std::optional<dvec3>& eye);
+  void look_at(std::uint64_t number, const std::array<vec3, 3>& corners, const std::optional<dvec3>& eye);
   void add(const CoarseSurvey& other);
 
  private:
+  void look_closer(const CoarseTriangle& t, const std::optional<dvec3>& eye);
   void keep(const CoarseTriangle& t);
   void take_larger(const CoarseTriangle& t);
 };

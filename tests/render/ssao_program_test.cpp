@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <regex>
 
 #include "image/exr.hpp"
 #include "ssao_scenes.hpp"
@@ -71,6 +72,18 @@ TEST_F(SsaoProgram, WritesTheSameFilesAsOffline) {
 }
 
 // Nothing of SSAO is kept in parts: to ignore the wish would leave a picture where a part was asked for.
+TEST_F(SsaoProgram, SummaryHasTheSecondsOfItsPart) {
+  write_scene(
+      "spp = 1\n[[effect]]\ntype = \"ao\"\n[[effect]]\nname = \"screen\"\ntype = \"ssao\"\nradius = 0.3\n");
+  ASSERT_EQ(render("NOOK_OSMESA=", "--no-png -o " + (folder / "both.exr").string()), 0);
+  const std::regex both(R"(both\.exr: load \d.*render \d+\.\d\d s \(.*\), ssao \d+\.\d\d s, write \d)");
+  EXPECT_TRUE(std::regex_search(test::read_bytes(folder / "stderr"), both))
+      << test::read_bytes(folder / "stderr");
+  write_scene("spp = 1\ntype = \"ao\"\n");
+  ASSERT_EQ(render("NOOK_OSMESA=", "--no-png -o " + (folder / "one.exr").string()), 0);
+  EXPECT_EQ(test::read_bytes(folder / "stderr").find("ssao"), std::string::npos);
+}
+
 TEST_F(SsaoProgram, RefusesCheckpointsAndShards) {
   write_scene("realtime = true\ntype = \"ssao\"\n");
   for (const char* option : {"--checkpoint", "--shard 1/2 -o"}) {
