@@ -36,15 +36,8 @@ INLINE void point_between(float p0, float p1, float p2, float u, float v, TwoFlo
   add_two(from, ab, point);
 }
 
-// How far eye + t d is from a point, along one axis.
-INLINE float from_point(TwoFloats point, float eye, float d, float t) {
-  const TwoFloats from = {eye, 0.0f}, minus = {-point.hi, -point.lo};
-  TwoFloats step, sum;
-  exact_product(t, d, &step);
-  add_two(from, step, &sum);
-  add_two(sum, minus, &sum);
-  return sum.hi;
-}
+// How far eye + t d is from a point, along one axis: to a half ulp of t, and of eye - point where that is less exact.
+INLINE float from_point(TwoFloats point, float eye, float d, float t) { return fma(t, d, (eye - point.hi) - point.lo); }
 
 // How far a point is moved off its triangle's plane, a distance along `normal` (unit): four half ulps of its coordinates, for rounding
 // it and what is added to it; and what keeps a ray from coming near its own triangle again, for the time that takes: as much as the
@@ -74,12 +67,8 @@ INLINE void offset_origin(Vector p0, Vector p1, Vector p2, float u, float v, Vec
   const float rx = from_point(x, eye.x, d.x, t), ry = from_point(y, eye.y, d.y, t), rz = from_point(z, eye.z, d.z, t);
   const float away = rx * n.x + ry * n.y + rz * n.z;
   const bool giant = extent > GIANT_EXTENT * t;
-  const TwoFloats sx = {giant ? rx - away * n.x : 0.0f, 0.0f}, sy = {giant ? ry - away * n.y : 0.0f, 0.0f},
-                  sz = {giant ? rz - away * n.z : 0.0f, 0.0f};
-  add_two(x, sx, &x);
-  add_two(y, sy, &y);
-  add_two(z, sz, &z);
-  const Vector point = {x.hi, y.hi, z.hi};
+  const Vector point = {giant ? x.hi + (x.lo + (rx - away * n.x)) : x.hi, giant ? y.hi + (y.lo + (ry - away * n.y)) : y.hi,
+                        giant ? z.hi + (z.lo + (rz - away * n.z)) : z.hi};
   const float off = distance_off(point, n, extent, t), distance = side < 0.0f ? -off : off;
   origin->x = moved_on(point.x, distance * n.x);
   origin->y = moved_on(point.y, distance * n.y);
