@@ -21,6 +21,8 @@ struct Image {
   int height = 0;
   std::vector<Channel> channels;
   std::map<std::string, std::string> metadata;  ///< "nook/seed" -> "7"
+  /// The share of each pixel's camera rays that hit something, for previews: no channel. Empty: all.
+  std::vector<float> coverage = {};
   int x0 = 0, y0 = 0;                   ///< its first pixel in the whole image, of which it may be a crop
   int full_width = 0, full_height = 0;  ///< of the whole image; 0: this is all of it
 

@@ -18,8 +18,11 @@ namespace {
 
 struct Planes {
   const float* rgb[3];
+  const float* alpha;  // null: opaque
   int width, height;
   bool gray;
+
+  int colors() const { return gray ? 1 : 3; }
 };
 
 /// Where libpng writes. A C++ exception must not cross libpng's frames: it waits here while libpng jumps out.
@@ -51,19 +54,22 @@ void on_warning(png_structp, png_const_charp) {}
 
 void encode_row(const Planes& planes, int y, std::uint8_t* row) {
   const std::size_t begin = static_cast<std::size_t>(y) * static_cast<std::size_t>(planes.width);
-  const int count = planes.gray ? 1 : 3;
-  for (int c = 0; c < count; ++c) {
+  const int colors = planes.colors(), count = colors + (planes.alpha ? 1 : 0);
+  for (int c = 0; c < colors; ++c) {
     const float* values = planes.rgb[c] + begin;
     for (int x = 0; x < planes.width; ++x) row[x * count + c] = srgb_byte(values[x]);
   }
+  for (int x = 0; planes.alpha && x < planes.width; ++x)
+    row[x * count + colors] = static_cast<std::uint8_t>(255 * planes.alpha[begin + std::size_t(x)] + 0.5f);
 }
 
 /// Nothing with a destructor lives in this frame, since longjmp would skip it. False: the sink knows why.
 bool encode(png_structp png, png_infop info, const Planes& planes, std::uint8_t* row) {
   if (setjmp(png_jmpbuf(png))) return false;
-  png_set_IHDR(png, info, static_cast<png_uint_32>(planes.width), static_cast<png_uint_32>(planes.height), 8,
-               planes.gray ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_IHDR(
+      png, info, static_cast<png_uint_32>(planes.width), static_cast<png_uint_32>(planes.height), 8,
+      (planes.gray ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB) | (planes.alpha ? PNG_COLOR_MASK_ALPHA : 0),
+      PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_RELATIVE);
   // A preview: the noise of an estimate barely compresses, and higher levels cost several times as much.
   png_set_compression_level(png, 3);
@@ -90,13 +96,37 @@ bool equal(const float* a, const float* b, std::size_t count) {
   return std::equal(a, a + count, b, [](float x, float y) { return srgb_byte(x) == srgb_byte(y); });
 }
 
+// Each channel over the background, as far as it is seen: with alpha, as if it were not.
+std::vector<float> over(const float* values, const std::vector<float>& coverage, bool transparent,
+                        std::uint8_t behind) {
+  const auto color = static_cast<float>(linear_of(behind));
+  std::vector<float> made(values, values + coverage.size());
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    if (!transparent)
+      made[i] += (1 - coverage[i]) * color;
+    else if (coverage[i] > 0)
+      made[i] /= coverage[i];
+  }
+  return made;
+}
+
 }  // namespace
 
-void write_png(const std::filesystem::path& path, const Image& image) {
-  Planes planes{{plane(image, "R"), plane(image, "G"), plane(image, "B")}, image.width, image.height, false};
+void write_png(const std::filesystem::path& path, const Image& image, const Background& background) {
+  Planes planes{
+      {plane(image, "R"), plane(image, "G"), plane(image, "B")}, nullptr, image.width, image.height, false};
   const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  std::vector<float> composed[3];
+  if (image.coverage.size() == pixels && background != Background{}) {
+    const std::uint8_t behind[3] = {background.red, background.green, background.blue};
+    for (int c = 0; c < 3; ++c) {
+      composed[c] = over(planes.rgb[c], image.coverage, background.transparent, behind[c]);
+      planes.rgb[c] = composed[c].data();
+    }
+    if (background.transparent) planes.alpha = image.coverage.data();
+  }
   planes.gray = equal(planes.rgb[0], planes.rgb[1], pixels) && equal(planes.rgb[0], planes.rgb[2], pixels);
-  std::vector<std::uint8_t> row(static_cast<std::size_t>(image.width) * 3);
+  std::vector<std::uint8_t> row(static_cast<std::size_t>(image.width) * 4);
 
   PendingFile file(path);
   Sink sink{file, nullptr, {}};

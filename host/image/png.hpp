@@ -5,12 +5,15 @@
 #include <vector>
 
 #include "image/image.hpp"
+#include "math/background.hpp"
 
 namespace nook {
 
 /// Writes channels R, G, B as an 8-bit PNG: the data as it is, clamped to [0,1], sRGB encoded (IEC
-/// 61966-2-1), NaN as 0. Gray when R = G = B. Temporary name and rename, as write_exr. Throws Error(output).
-void write_png(const std::filesystem::path& path, const Image& image);
+/// 61966-2-1), NaN as 0. Gray when R = G = B. Over a background the color is linear: value + (1 - coverage)
+/// background; alpha is the coverage, and the colors beside it are the value / coverage (PNG's are not
+/// multiplied by alpha). Temporary name and rename, as write_exr. Throws Error(output).
+void write_png(const std::filesystem::path& path, const Image& image, const Background& background = {});
 
 /// One number a pixel, row 0 at the top.
 struct GrayImage {

@@ -43,4 +43,8 @@ std::uint8_t srgb_byte(float linear) {
   return linear >= table.threshold[code] ? code + 1 : code;
 }
 
+double linear_of(std::uint8_t srgb) {
+  return srgb_to_linear(srgb / 255.0);
+}
+
 }  // namespace nook

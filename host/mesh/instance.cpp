@@ -182,15 +182,24 @@ void append_instance(TriangleMesh& whole, const TriangleMesh& part, const glm::d
     }
 }
 
-void append_ground(TriangleMesh& mesh, float height, float reach) {
+void append_ground(TriangleMesh& mesh, float height, float reach, Axis up) {
   mesh.subject = mesh.bounds;
+  mesh.ground = {height, reach, up};
   const vec3 center = mesh.bounds.center();
+  // Counter-clockwise seen from `up`: of y, in x and z.
+  const int axis = number_of(up), second = (axis + 1) % 3, first = (axis + 2) % 3;
+  const auto corner = [&](float a, float b) {
+    vec3 p;
+    p[axis] = height;
+    p[first] = center[first] + a;
+    p[second] = center[second] + b;
+    return p;
+  };
   TriangleMesh ground;
-  ground.positions = {{center.x - reach, height, center.z - reach},
-                      {center.x - reach, height, center.z + reach},
-                      {center.x + reach, height, center.z + reach},
-                      {center.x + reach, height, center.z - reach}};
+  ground.positions = {corner(-reach, -reach), corner(-reach, reach), corner(reach, reach),
+                      corner(reach, -reach)};
   ground.triangles = {{0, 1, 2}, {2, 3, 0}};
+  if (is_opposite(up)) ground.triangles = {{2, 1, 0}, {0, 3, 2}};
   if (!mesh.triangle_group.empty()) {
     ground.groups = {"ground"};
     ground.triangle_group = {0, 0};

@@ -37,9 +37,9 @@ std::uint32_t append_part(TriangleMesh& whole, const TriangleMesh& part, bool mi
 /// part, to the bit. Throws Error(scene) if positions or the number of triangles leave their range.
 void place_part(TriangleMesh& whole, std::uint32_t part, const glm::dmat4& transform);
 
-/// Adds the ground: a square at `height` (y, world units) that reaches `reach` to all sides of the mesh's
-/// center, facing up. It belongs to neither a material nor, if there are groups, any group but its own,
-/// "ground"; TriangleMesh::subject keeps the bounds without it.
-void append_ground(TriangleMesh& mesh, float height, float reach);
+/// Adds the ground: a square at `height` along the axis of `up` (world units) that reaches `reach` to all
+/// sides of the mesh's center, facing `up`. It belongs to neither a material nor, if there are groups, any
+/// group but its own, "ground"; TriangleMesh::subject keeps the bounds without it.
+void append_ground(TriangleMesh& mesh, float height, float reach, Axis up = Axis::y);
 
 }  // namespace nook

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernels/shared/instance.h"
+#include "math/axis.hpp"
 #include "math/bounds.hpp"
 #include "math/frame.hpp"
 #include "math/types.hpp"
@@ -89,10 +90,16 @@ struct TriangleMesh {
   Bounds3 bounds;                        ///< of the positions that triangles use
   Frame frame;                           ///< of positions and bounds; distances of a Scene are the file's
   Bounds3 subject;  ///< the bounds without the ground that a scene added; empty if there is none
+  /// That ground, the last two triangles or the last instance.
+  struct Ground {
+    float height = 0, reach = 0;
+    Axis up = Axis::y;
+  } ground;
   /// What automatic distances and cameras refer to.
   const Bounds3& subject_bounds() const { return subject.empty() ? bounds : subject; }
 
-  std::string why_copies;  ///< of a scene with instances that are copies: a reason, for people
+  std::string why_copies;     ///< of a scene with instances that are copies: a reason, for people
+  std::string why_no_ground;  ///< of a scene whose ground was left out: a reason, for people
 
   /// What the loader found and did; `nook info` prints it.
   struct Report {

@@ -93,6 +93,8 @@ Image make_picture(const FilmPart& part) {
   Image image;
   image.width = part.films.front().width;
   image.height = part.films.front().height;
+  for (std::size_t i = 0; i < part.films.front().pixels(); ++i)
+    image.coverage.push_back(float(part.films.front().coverage(i)));
   for (std::size_t e = 0; e < part.films.size(); ++e) {
     const Film& film = part.films[e];
     const std::string& layer = part.layers[e];

@@ -97,6 +97,8 @@ SsaoLayers draw_ssao(const Scene& scene, const TriangleMesh& mesh, const Plan& p
     const std::vector<float> value = cut(plan, [&](std::size_t i) { return frame.occlusion[i]; });
     for (const char* channel : {"R", "G", "B"})
       image.channels.push_back({(layer.main ? "" : layer.prefix) + channel, value});
+    if (alone && image.coverage.empty())
+      image.coverage = cut(plan, [&](std::size_t i) { return frame.coverage[i]; });
     if (surface) add_surface(plan, aovs, frame, image);
   }
   layers.seconds = watch.seconds();

@@ -8,11 +8,46 @@
 #include "base/counted.hpp"
 #include "kernels/shared/task.h"
 #include "plan/cut_outs.hpp"
+#include "plan/scene_camera.hpp"
+#include "plan/scene_ground.hpp"
 #include "plan/surface_sets.hpp"
 #include "scene/names.hpp"
 
 namespace nook {
 namespace {
+
+std::string point_text(const dvec3& p) {
+  return fmt::format("({:.7g}, {:.7g}, {:.7g})", p.x, p.y, p.z);
+}
+
+std::string framing_text(const Scene& scene) {
+  const std::string name = to_string(scene.view);
+  const std::string angles =
+      fmt::format("azimuth {:g}, elevation {:g} degrees", scene.view.azimuth, scene.view.elevation);
+  return fmt::format("{}, up {}, free on each side: {:g} % of the picture",
+                     name.find(',') == name.npos ? fmt::format("{} ({})", name, angles) : angles,
+                     point_text(dvec3(scene.camera.up)), 100 * double(scene.margin));
+}
+
+std::string ground_text(const TriangleMesh& mesh) {
+  const std::optional<Ground> ground = settled_ground(mesh);
+  if (!ground) return "left out: " + mesh.why_no_ground;
+  return fmt::format("at {} = {:.7g}, {:.7g} world units to each side, facing {}",
+                     "xyz"[number_of(*ground->up)], *ground -> height, *ground -> reach,
+                     name_of(*ground->up));
+}
+
+void add_picture(const Scene& scene, const TriangleMesh& mesh, PlanReport& report) {
+  const auto say = [&](std::string name, std::string text) {
+    report.picture.emplace_back(std::move(name), std::move(text));
+  };
+  const Camera camera = resolve_camera(scene, mesh);
+  if (scene.automatic_camera) say("view", framing_text(scene));
+  say("camera", fmt::format("eye {}, at {}, up {}, fov {:g} degrees", point_text(camera.eye),
+                            point_text(camera.at), point_text(dvec3(camera.up)), camera.fov));
+  say("ground", scene.ground ? ground_text(mesh) : "none");
+  say("background", to_string(scene.background) + ", in the PNG");
+}
 
 template <class Vector>
 std::uint64_t bytes_of(const Vector& values) {
@@ -141,6 +176,7 @@ void add_left_out(const Scene& scene, const Plan& plan, const TriangleMesh& mesh
 
 PlanReport report_plan(const Scene& scene, const Plan& plan, const TriangleMesh& mesh, const Bvh* bvh) {
   PlanReport report;
+  add_picture(scene, mesh, report);
   add_passes(plan, mesh, report);
   add_kernels(plan, report);
   if (bvh) add_buffers(plan, mesh, *bvh, report);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bvh/bvh.hpp"
@@ -24,6 +25,7 @@ struct BufferReport {
 
 /// What a plan will do and what it leaves out, in words: `nook plan`.
 struct PlanReport {
+  std::vector<std::pair<std::string, std::string>> picture;  ///< camera, ground, background: name and words
   std::vector<PassReport> passes;
   std::vector<KernelPlan> kernels;     ///< each program once
   std::vector<BufferReport> buffers;   ///< for OpenCL; their sum is what a run's record counts on upload

@@ -1,39 +1,15 @@
 #include "plan/scene_camera.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "plan/framing.hpp"
 
 namespace nook {
 namespace {
 
 void store(float (&out)[3], const dvec3& v) {
   for (int i = 0; i < 3; ++i) out[i] = float(v[i]);
-}
-
-// A three-quarter view from above, as near as every corner of the box stays inside 96 % of the film.
-Camera framing_camera(const Scene& scene, const TriangleMesh& mesh) {
-  const Bounds3& bounds = mesh.subject_bounds();
-  Camera camera;
-  const double half_height = 0.96 * std::tan(camera.fov * std::numbers::pi / 360);
-  const double half_width = half_height * scene.width / scene.height;
-  const dvec3 back = glm::normalize(dvec3(0.55, 0.4, 1.0)),
-              right = glm::normalize(glm::cross(dvec3(0, 1, 0), back)), up = glm::cross(back, right);
-  const dvec3 center(bounds.center());
-  // At least so far that eye and center are different floats, whose difference has a direction, of a point
-  // too.
-  double distance = std::max(1e-30, 1e-4 * glm::length(center));
-  for (int corner = 0; corner < 8; ++corner) {
-    const dvec3 p = dvec3(corner & 1 ? bounds.hi.x : bounds.lo.x, corner & 2 ? bounds.hi.y : bounds.lo.y,
-                          corner & 4 ? bounds.hi.z : bounds.lo.z) -
-                    center;
-    distance = std::max({distance, glm::dot(p, back) + std::abs(glm::dot(p, right)) / half_width,
-                         glm::dot(p, back) + std::abs(glm::dot(p, up)) / half_height});
-  }
-  camera.at = mesh.frame.to_file(dvec3(vec3(center)));
-  camera.eye = mesh.frame.to_file(dvec3(vec3(center + distance * back)));
-  camera.up = {0, 1, 0};
-  return camera;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "mesh/instance.hpp"
 #include "mesh/load_mesh.hpp"
 #include "mesh/opacity_maps.hpp"
+#include "plan/scene_ground.hpp"
 
 namespace nook {
 namespace {
@@ -135,14 +136,7 @@ TriangleMesh load_scene_mesh(const Scene& scene, const MeshAttributes& attribute
     whole.report.warnings = std::move(warnings);
     whole.why_copies = why_copies;
   }
-  if (scene.ground) {
-    const Frame& frame = whole.frame;
-    const float height = scene.ground->height ? float(frame.from_file(*scene.ground->height - frame.center.y))
-                                              : whole.bounds.lo.y;
-    append_ground(whole, height,
-                  scene.ground->reach ? float(frame.from_file(double(*scene.ground->reach)))
-                                      : 20 * whole.bounds.bounding_radius());
-  }
+  if (scene.ground) add_ground(scene, whole);
   if (scene.cutouts && attributes.materials) load_opacity_maps(whole);
   return whole;
 }

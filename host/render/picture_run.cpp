@@ -148,6 +148,7 @@ Image PictureRun::image() {
       image.channels.push_back({camera_rays_channel, part.films.front().camera_samples});
   } else if (plan.needs_opencl()) {
     image = {plan.window.width(), plan.window.height(), channels_of_surface(), {}};
+    for (const SurfacePoint& point : surface_) image.coverage.push_back(point.flags & SURFACE_HIT ? 1 : 0);
   }
   if (!plan.ssao.empty())
     ssao_ = draw_ssao(renderer_.scene(), renderer_.mesh(), plan, plan.needs_opencl() ? AovRequest{} : aovs_,

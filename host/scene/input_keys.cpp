@@ -5,7 +5,8 @@ namespace {
 
 using Form = Domain::Form;
 
-constexpr std::string_view auto_word[] = {"auto"};
+constexpr std::string_view auto_word[] = {"auto"}, ground_words[] = {"auto", "none"};
+constexpr std::string_view ground_axes[] = {"auto", "x", "y", "z", "-x", "-y", "-z"};
 
 // A number that is unset, which the word "auto" says.
 template <class Owner, auto... Path>
@@ -16,6 +17,19 @@ constexpr Field<Owner> or_auto() {
           },
           field<Owner, Path...>().set};
 }
+
+constexpr Field<Ground> height{[](const Ground& ground) {
+                                 return ground.none ? KeyValue("none")
+                                                    : or_auto<Ground, &Ground::height>().get(ground);
+                               },
+                               [](Ground& ground, const KeyValue& value) {
+                                 unpack(value, ground.height);
+                                 ground.none = value == KeyValue("none");
+                               }};
+constexpr Field<Ground> ground_up{or_auto<Ground, &Ground::up>().get,
+                                  [](Ground& ground, const KeyValue& value) {
+                                    ground.up = value_of<Axis>(axis_names, std::get<std::string>(value));
+                                  }};
 
 template <auto First>
 constexpr Field<Instance> file() {
@@ -76,13 +90,21 @@ const Key<Instance> of_instance[] = {
 
 const Key<Ground> of_ground[] = {
     {{.name = "height",
-      .domain = {.lo = -1e30, .hi = 1e30, .unit = "world units", .words = auto_word},
-      .help = "y of the ground; `\"auto\"`: the lowest point of the mesh"},
-     or_auto<Ground, &Ground::height>()},
+      .domain = {.lo = -1e30, .hi = 1e30, .unit = "world units", .words = ground_words},
+      .help = "along the ground's `up`; `\"auto\"`: the lowest point of the mesh; `\"none\"`: there is no "
+              "ground",
+      .flag = "--ground"},
+     height},
     {{.name = "reach",
       .domain = {.lo = 1e-30, .hi = 1e30, .noun = "a distance", .unit = "world units", .words = auto_word},
-      .help = "from the mesh's center to each side; `\"auto\"`: 20 bounding radii"},
+      .help = "from the mesh's center to each side; `\"auto\"`: 20 bounding radii, or (framed) beyond the "
+              "picture"},
      or_auto<Ground, &Ground::reach>()},
+    {{.name = "up",
+      .domain = {.form = Form::choice, .words = ground_axes},
+      .help = "the axis that it is across, and faces; `\"auto\"`: y, or (framed) the one nearest to the "
+              "camera's `up`"},
+     ground_up},
 };
 
 }  // namespace

@@ -43,6 +43,7 @@ void read_input(TomlTable& input, TomlTable& ground, const toml::node* instances
   if (!ground) return;
   scene.ground.emplace();
   read_keys(ground, ground_keys(), *scene.ground);
+  if (scene.ground->none) scene.ground.reset();
 }
 
 }  // namespace nook

@@ -86,6 +86,13 @@ KeyValue packed(const std::optional<T>& value) {
   return value ? packed(*value) : KeyValue();
 }
 
+inline KeyValue packed(const View& view) {
+  return to_string(view);
+}
+inline KeyValue packed(const Background& background) {
+  return to_string(background);
+}
+
 inline KeyValue packed(const DistanceLimit& limit) {
   return limit.kind == DistanceLimit::Kind::value ? KeyValue(limit.value) : KeyValue(to_string(limit));
 }
@@ -120,6 +127,13 @@ void unpack(const KeyValue& value, std::optional<T>& to) {
   if (std::holds_alternative<std::monostate>(value)) return;
   if (!std::is_enum_v<T> && std::holds_alternative<std::string>(value)) return;
   unpack(value, to.emplace());
+}
+
+inline void unpack(const KeyValue& value, View& to) {
+  to = *parse_view(std::get<std::string>(value));
+}
+inline void unpack(const KeyValue& value, Background& to) {
+  to = *parse_background(std::get<std::string>(value));
 }
 
 inline void unpack(const KeyValue& value, DistanceLimit& to) {

@@ -71,6 +71,14 @@ std::optional<T> whole_number(std::string_view text) {
   return value;
 }
 
+// "x", "y", or "z"
+std::string or_words(const Domain& d) {
+  std::string text;
+  for (const std::string_view word : d.words)
+    text += fmt::format("{}\"{}\"", word == d.words.back() ? ", or " : ", ", word);
+  return text;
+}
+
 }  // namespace
 
 std::string expected(const Domain& d) {
@@ -84,18 +92,20 @@ std::string expected(const Domain& d) {
       const std::string range = range_text(d);
       if (!range.empty()) text += (text.empty() ? "" : " ") + range;
       if (!range.empty() && !d.unit.empty()) text += fmt::format(" {}", d.unit);
-      for (const std::string_view word : d.words)
-        text = fmt::format("{}{}\"{}\"", text, word == d.words.back() ? ", or " : ", ", word);
-      return text;
+      return text + or_words(d);
     }
     case Domain::Form::point:
-      return "three finite numbers";
+      return "three finite numbers" + or_words(d);
     case Domain::Form::scale:
       return "a number other than 0, or three";
     case Domain::Form::choice:
       return fmt::format("{}", fmt::join(d.words, ", "));
     case Domain::Form::crop:
       return "four integers x0, x1, y0, y1";
+    case Domain::Form::view:
+      return fmt::format("{} or \"AZIMUTH,ELEVATION\" in degrees", fmt::join(d.words, ", "));
+    case Domain::Form::color:
+      return fmt::format("{} or \"#rrggbb\"", fmt::join(d.words, ", "));
     default:
       return std::string(d.noun);
   }
@@ -118,6 +128,18 @@ std::string plain_text(const KeyValue& value) {
 
 std::optional<KeyValue> parse_value(const std::string& text, const Domain& domain) {
   using Form = Domain::Form;
+  if (domain.form == Form::point) {
+    const auto point = parse_point(text);
+    return point ? std::optional<KeyValue>(*point) : std::nullopt;
+  }
+  if (domain.form == Form::view) {
+    const auto view = parse_view(text);
+    return view ? std::optional<KeyValue>(to_string(*view)) : std::nullopt;
+  }
+  if (domain.form == Form::color) {
+    const auto color = parse_background(text);
+    return color ? std::optional<KeyValue>(to_string(*color)) : std::nullopt;
+  }
   const bool is_word = std::find(domain.words.begin(), domain.words.end(), text) != domain.words.end();
   if (is_word || domain.form == Form::text) return text;
   if (domain.form == Form::boolean && (text == "true" || text == "false")) return text == "true";

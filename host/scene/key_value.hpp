@@ -22,8 +22,8 @@ using KeyValue = std::variant<std::monostate, bool, std::int64_t, float, double,
 /// The values that a key may have.
 struct Domain {
   /// point: three numbers. scale: a number, or three; not 0. names: a list of names, or a word. files: a
-  /// name, or a list of them. crop: x0, x1, y0, y1.
-  enum class Form { boolean, integer, number, point, scale, choice, text, names, files, crop };
+  /// name, or a list of them. crop: x0, x1, y0, y1. view, color: parse_view(), parse_background().
+  enum class Form { boolean, integer, number, point, scale, choice, text, names, files, crop, view, color };
   Form form = Form::number;
   double lo = -std::numeric_limits<double>::infinity(), hi = std::numeric_limits<double>::infinity();
   bool above = false, below = false;  ///< lo, hi themselves do not belong to it
@@ -44,8 +44,8 @@ std::string toml_text(const KeyValue& value);
 /// nothing.
 std::string plain_text(const KeyValue& value);
 
-/// The value that `text` of a command line names, of a boolean, integer, number, choice or text. nullopt if
-/// it does not belong to the domain.
+/// The value that `text` of a command line names, of a boolean, integer, number, point, choice, text, view or
+/// color. nullopt if it does not belong to the domain.
 std::optional<KeyValue> parse_value(const std::string& text, const Domain& domain);
 
 /// "unknown value 'cosin', did you mean 'cosine'?", or "'x' is not <expected>".

@@ -44,6 +44,17 @@ inline constexpr std::pair<std::string_view, Side> side_names[] = {
     {"normal", Side::normal}, {"inside", Side::inside}, {"viewer", Side::viewer}};
 inline constexpr std::pair<std::string_view, Instancing> instancing_names[] = {
     {"auto", Instancing::automatic}, {"copies", Instancing::copies}, {"tree", Instancing::tree}};
+inline constexpr std::pair<std::string_view, Axis> axis_names[] = {
+    {"x", Axis::x},        {"y", Axis::y},        {"z", Axis::z},
+    {"-x", Axis::minus_x}, {"-y", Axis::minus_y}, {"-z", Axis::minus_z}};
+inline constexpr std::pair<std::string_view, View> view_names[] = {
+    {"three-quarter", View{}}, {"front", {0, 0}}, {"back", {180, 0}},  {"left", {-90, 0}},
+    {"right", {90, 0}},        {"top", {0, 90}},  {"bottom", {0, -90}}};
+inline constexpr std::pair<std::string_view, Background> background_names[] = {
+    {"transparent", {.transparent = true}},
+    {"black", {}},
+    {"white", {.red = 255, .green = 255, .blue = 255}},
+    {"grey", {.red = 128, .green = 128, .blue = 128}}};
 inline constexpr std::pair<std::string_view, SsaoSettings::Method> ssao_method_names[] = {
     {"point", SsaoSettings::Method::point},
     {"gtao", SsaoSettings::Method::gtao},
@@ -78,6 +89,9 @@ inline NameTable<Side> names_of(Side) {
 inline NameTable<Instancing> names_of(Instancing) {
   return instancing_names;
 }
+inline NameTable<Axis> names_of(Axis) {
+  return axis_names;
+}
 inline NameTable<SsaoSettings::Method> names_of(SsaoSettings::Method) {
   return ssao_method_names;
 }
@@ -107,5 +121,16 @@ std::string suggestion(std::string_view word, std::span<const std::string_view> 
 /// "auto", "none" or a number >= 0; nullopt otherwise.
 std::optional<DistanceLimit> parse_distance_limit(const std::string& text);
 std::string to_string(const DistanceLimit& limit);
+
+/// A name of view_names, or "AZIMUTH,ELEVATION" in degrees (-360 to 360, -90 to 90); nullopt otherwise.
+std::optional<View> parse_view(std::string_view text);
+std::string to_string(const View& view);
+
+/// A name of background_names, or "#rrggbb"; nullopt otherwise.
+std::optional<Background> parse_background(std::string_view text);
+std::string to_string(const Background& background);
+
+/// "-z" -> (0, 0, -1), "0,1,0.5"; nullopt unless it is an axis or three numbers that are finite as floats.
+std::optional<dvec3> parse_point(std::string_view text);
 
 }  // namespace nook

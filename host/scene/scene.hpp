@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "math/axis.hpp"
+#include "math/background.hpp"
 #include "math/types.hpp"
 
 namespace nook {
@@ -17,6 +19,13 @@ struct Camera {
   dvec3 at{0, 0, 0};
   vec3 up{0, 1, 0};
   float fov = 30;  ///< vertical, degrees, in (0, 180)
+};
+
+/// Where a camera that frames the mesh stands, as seen from it: degrees from its front towards its right,
+/// and above its horizon, from -90 to 90. See plan/framing.hpp for which side is the front.
+struct View {
+  double azimuth = 30, elevation = 25;
+  bool operator==(const View&) const = default;
 };
 
 /// Pixels [x0, x1) x [y0, y1), row 0 at the top.
@@ -102,10 +111,12 @@ struct Instance {
 /// the places; the same picture. Automatic: see plan/scene_mesh.hpp.
 enum class Instancing { automatic, copies, tree };
 
-/// A large square below everything.
+/// A large square below everything. What is unset follows from mesh and camera: see plan/scene_ground.hpp.
 struct Ground {
-  std::optional<double> height;  ///< y, world units; unset: the lowest point of the mesh
-  std::optional<float> reach;  ///< from the mesh's center to each side, world units; unset: 20 bounding radii
+  bool none = false;             ///< there is none
+  std::optional<double> height;  ///< along `up`'s axis, world units
+  std::optional<float> reach;    ///< from the mesh's center to each side, world units
+  std::optional<Axis> up;        ///< the side that it faces
 };
 
 /// When a render ends, if not after a fixed number of samples; see docs/study.md.
@@ -128,7 +139,10 @@ struct Scene {
   std::optional<Ground> ground;
   bool cutouts = false;  ///< materials' opacity maps (map_d) cut holes
   Camera camera;
-  bool automatic_camera = false;  ///< frame the mesh (a bare OBJ)
+  bool automatic_camera = false;  ///< frame the mesh, from `view`, camera.up above: eye and at follow
+  View view;
+  float margin = 0.08f;  ///< of a framed picture, on each side, as a share of its width and height
+  Background background;
   int width = 768, height = 576;  ///< pixels
   std::optional<PixelRect> crop;
   bool realtime = false;

@@ -22,34 +22,54 @@ constexpr auto without_stop = [](const Scene& s) { return !s.stop.any(); };
 constexpr auto with_stop = [](const Scene& s) { return s.stop.any(); };
 constexpr auto with_error = [](const Scene& s) { return s.stop.error.has_value(); };
 constexpr auto own_camera = [](const Scene& s) { return !s.automatic_camera; };
-constexpr std::string_view framed = "eye, at and up follow from frame = true";
+constexpr auto framed = [](const Scene& s) { return s.automatic_camera; };
+constexpr std::string_view eye_and_at_follow = "eye and at follow from frame = true, or from view";
+
+// A view is a camera that frames the mesh.
+constexpr Field<Scene> view{field<Scene, &Scene::view>().get, [](Scene& s, const KeyValue& value) {
+                              unpack(value, s.view);
+                              s.automatic_camera = true;
+                            }};
 
 const Key<Scene> of_camera[] = {
     {{.name = "frame",
       .domain = yes_or_no,
-      .help = "true: a view from above that frames the mesh, in place of `eye`, `at` and `up`"},
+      .help = "true: the camera frames the mesh, and `eye` and `at` follow; see [framing](#framing)"},
      field<Scene, &Scene::automatic_camera>()},
+    {{.name = "view",
+      .domain = {.form = Form::view, .words = words_of<view_names>},
+      .help = "the side of the mesh that a camera sees which frames it; implies `frame`",
+      .flag = "--view",
+      .default_says = "`\"three-quarter\"`, which is `\"30,25\"`"},
+     view,
+     framed},
+    {{.name = "margin",
+      .domain = {.lo = 0, .hi = 0.45, .noun = "a share"},
+      .help = "of a framed picture's width and height: what stays free on each side",
+      .flag = "--margin",
+      .needs = "margin goes with frame = true, or with view"},
+     field<Scene, &Scene::margin>(),
+     framed},
     {{.name = "eye",
       .domain = {.form = Form::point, .unit = "world units"},
       .help = "where a right-handed pinhole camera stands",
-      .needs = framed,
+      .needs = eye_and_at_follow,
       .of_nook = false},
      field<Scene, &Scene::camera, &Camera::eye>(),
      own_camera},
     {{.name = "at",
       .domain = {.form = Form::point, .unit = "world units"},
       .help = "what it looks at",
-      .needs = framed,
+      .needs = eye_and_at_follow,
       .of_nook = false},
      field<Scene, &Scene::camera, &Camera::at>(),
      own_camera},
     {{.name = "up",
-      .domain = {.form = Form::point},
-      .help = "what is up in the picture",
-      .needs = framed,
+      .domain = {.form = Form::point, .words = words_of<axis_names>},
+      .help = "what is up in the picture, or (framed) for the mesh",
+      .flag = "--up",
       .of_nook = false},
-     field<Scene, &Scene::camera, &Camera::up>(),
-     own_camera},
+     field<Scene, &Scene::camera, &Camera::up>()},
     {{.name = "fov",
       .domain = {.lo = 0, .hi = 180, .above = true, .below = true, .noun = "an angle", .unit = "degrees"},
       .help = "vertical field of view",
@@ -70,6 +90,12 @@ const Key<Scene> of_film[] = {
       .help = "pixels x0 <= x < x1, y0 <= y < y1 alone",
       .default_says = "whole"},
      field<Scene, &Scene::crop>()},
+    {{.name = "background",
+      .domain = {.form = Form::color, .words = words_of<background_names>},
+      .help = "of the PNG, where camera rays hit nothing: a color, or alpha. The EXR is the same",
+      .flag = "--background",
+      .of_samples = false},
+     field<Scene, &Scene::background>()},
 };
 
 const Key<Scene> of_renderer[] = {
@@ -179,6 +205,9 @@ const KeyInfo* key_of_flag(std::string_view flag) {
     for (const auto& key : keys)
       if (!flag.empty() && key.info.flag == flag) found = &key.info;
   };
+  look(camera_keys());
+  look(film_keys());
+  look(ground_keys());
   look(renderer_keys());
   look(effect_keys());
   return found;

@@ -15,7 +15,7 @@ std::span<const Key<Scene>> camera_keys();
 std::span<const Key<Scene>> film_keys();
 std::span<const Key<Scene>> renderer_keys();
 
-/// The key, of any table or of an effect, that the flag sets; null if it is no key's.
+/// The key, of a table or of an effect, that the flag sets; null if it is no key's.
 const KeyInfo* key_of_flag(std::string_view flag);
 
 /// Whether some effect of the scene reads the key.

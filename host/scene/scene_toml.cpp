@@ -72,6 +72,9 @@ Scene scene_of(const toml::table& root, const std::filesystem::path& path) {
   scene.file = path;
   read_input(input, ground, top.find("instance"), scene);
   read_keys(camera, camera_keys(), scene);
+  const toml::node* frame = camera.find("frame");
+  if (frame && camera.has("view") && frame->as_boolean() && !**frame->as_boolean())
+    fail_at(file, frame->source(), "view frames the mesh: frame = false goes with eye and at");
   check_use(camera, camera_keys(), scene);
   read_keys(film, film_keys(), scene);
   read_renderer(renderer, scene);
@@ -101,13 +104,21 @@ Scene scene_of_mesh(const std::filesystem::path& mesh_file) {
   return scene;
 }
 
+Scene picture_of_mesh(const std::filesystem::path& mesh_file) {
+  Scene scene = scene_of_mesh(mesh_file);
+  scene.ground.emplace();
+  scene.background = {.transparent = true};
+  scene.effects.front().max_distance = {DistanceLimit::Kind::none, 0};
+  return scene;
+}
+
 void validate(const Scene& scene) {
   const std::string file = scene.file.string();
   const dvec3 view = dvec3(scene.camera.at) - dvec3(scene.camera.eye), up(scene.camera.up);
+  if (glm::length(up) == 0) throw Error(ErrorKind::scene, Place{file}, "the camera's up is zero");
   if (!scene.automatic_camera) {
     if (glm::length(view) == 0)
       throw Error(ErrorKind::scene, Place{file}, "the camera's eye and at are the same point");
-    if (glm::length(up) == 0) throw Error(ErrorKind::scene, Place{file}, "the camera's up is zero");
     if (glm::length(glm::cross(glm::normalize(view), glm::normalize(up))) < 1e-6)
       throw Error(ErrorKind::scene, Place{file}, "the camera's up is parallel to its view direction");
   }

@@ -92,7 +92,12 @@ std::optional<KeyValue> value_of_node(const toml::node& node, const Domain& doma
       return found && belongs(domain, *found) ? std::optional<KeyValue>(*found) : std::nullopt;
     }
     case Domain::Form::point:
+      if (node.is_string() && one_of(domain.words, **node.as_string()))
+        return parse_value(**node.as_string(), domain);
       return point_of(node, fault);
+    case Domain::Form::view:
+    case Domain::Form::color:
+      return node.is_string() ? parse_value(**node.as_string(), domain) : std::nullopt;
     case Domain::Form::scale:
       return scale_of(node, fault);
     case Domain::Form::text:

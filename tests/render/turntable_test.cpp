@@ -65,16 +65,45 @@ TEST_P(Turntable, RepeatsToTheBitAndNumbersThePreviews) {
   EXPECT_EQ(first, picture("turn_0002.exr"));
 }
 
-// A mesh without a scene is framed once: the camera turns, it does not frame each picture anew.
-TEST(TurntableOfAMesh, TurnsTheFramingCamera) {
+// A mesh without a scene is framed once for the whole turn: the long box, which fills the width from the
+// side, is as near in every picture, whole, and each picture can be made again from itself.
+TEST(TurntableOfAMesh, FramesTheWholeTurn) {
+  const TemporaryFolder folder;
+  write_bytes(folder / "rod.obj",
+              "v -4 0 -.5\nv 4 0 -.5\nv 4 0 .5\nv -4 0 .5\nv -4 1 -.5\nv 4 1 -.5\nv 4 1 .5\n"
+              "v -4 1 .5\nf 1 2 3 4\nf 5 8 7 6\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n");
+  const std::string render = "render '" + (folder / "rod.obj").string() +
+                             "' --view 0,10 --ground none --aov alpha --size 64x32 --quiet -o '" +
+                             (folder / "a.exr").string() + "' --turntable 4";
+  ASSERT_EQ(run_nook(folder, render).code, 0);
+  const auto width = [&](const std::string& file) {
+    const Image image = read_exr(folder / file);
+    const std::vector<float> alpha = plane(image, "A");
+    int first = image.width, last = -1;
+    for (int i = 0; i < image.width * image.height; ++i)
+      if (alpha[std::size_t(i)] > 0)
+        first = std::min(first, i % image.width), last = std::max(last, i % image.width);
+    EXPECT_GE(first, 5) << file;  // 8 % of 64 pixels
+    EXPECT_LE(last, 58) << file;
+    return last - first + 1;
+  };
+  EXPECT_GT(width("a_0000.exr"), 40);
+  EXPECT_LT(width("a_0001.exr"), 20);
+  EXPECT_EQ(width("a_0002.exr"), width("a_0000.exr"));
+  EXPECT_EQ(width("a_0003.exr"), width("a_0001.exr"));
+}
+
+TEST(TurntableOfAMesh, ItsPicturesCanBeMadeAgain) {
   const TemporaryFolder folder;
   write_bytes(folder / "small.obj", small_obj);
-  const std::string render = "render '" + (folder / "small.obj").string() + "' --size 32x24 --quiet -o '";
-  ASSERT_EQ(run_nook(folder, render + (folder / "a.exr").string() + "' --turntable 2").code, 0);
-  ASSERT_EQ(run_nook(folder, render + (folder / "still.exr").string() + "'").code, 0);
-  const std::vector<float> still = plane(read_exr(folder / "still.exr"), "R");
-  EXPECT_EQ(still, plane(read_exr(folder / "a_0000.exr"), "R"));
-  EXPECT_NE(still, plane(read_exr(folder / "a_0001.exr"), "R"));
+  const std::string end = " --quiet --no-png -o '" + (folder / "a.exr").string() + "'";
+  ASSERT_EQ(run_nook(folder, "render '" + (folder / "small.obj").string() +
+                                 "' --up z --size 32x24 --turntable 3" + end)
+                .code,
+            0);
+  ASSERT_EQ(run_nook(folder, "render '" + (folder / "a_0001.exr").string() + "'" + end).code, 0);
+  EXPECT_EQ(plane(read_exr(folder / "a.exr"), "R"), plane(read_exr(folder / "a_0001.exr"), "R"));
+  EXPECT_NE(plane(read_exr(folder / "a.exr"), "R"), plane(read_exr(folder / "a_0002.exr"), "R"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, Turntable, ::testing::Values(offline, screen_space),

@@ -109,7 +109,7 @@ TEST(Instances, BadOnesSayWhere) {
   refuse("[input]\nobjfile = [3]\n", "objfile must be the name of a mesh, or a list of names");
   refuse("instance = 3\n[input]\nobjfile = \"one.obj\"\n", "instances are tables: [[instance]]");
   refuse("[input]\nobjfile = \"one.obj\"\n[ground]\nheight = \"low\"\n",
-         "height must be a number, or \"auto\"");
+         "height must be a number, \"auto\", or \"none\"");
 }
 
 }  // namespace

@@ -80,6 +80,44 @@ TEST(Png, GrayWhenTheChannelsAreEqual) {
   EXPECT_EQ(folder.entries(), 1);
 }
 
+// Of a picture over black: covered, half covered with the half's value .25, empty.
+Image half_covered() {
+  Image image = rgb_image(3, 1, {0.5f, 0.125f, 0}, {0.5f, 0.125f, 0}, {0.5f, 0.125f, 0});
+  image.coverage = {1, 0.5f, 0};
+  return image;
+}
+
+// PNG's colors are not multiplied by alpha: the half covered pixel has the value of what covers it.
+TEST(Png, HasAlphaWhereNothingIs) {
+  test::TemporaryFolder folder;
+  write_png(folder / "a.png", half_covered(), {.transparent = true});
+  EXPECT_EQ(read_png_opacity(folder / "a.png").values, (std::vector<std::uint8_t>{255, 128, 0}));
+  const GrayImage values = read_png_opacity(folder / "a.png", 'l');
+  EXPECT_EQ(values.values[0], srgb_byte(0.5f));
+  EXPECT_EQ(values.values[1], srgb_byte(0.25f));
+}
+
+// Light adds up linearly: half of white is .5, and of what covers the other half .125 were there.
+TEST(Png, HasABackgroundWhereNothingIs) {
+  test::TemporaryFolder folder;
+  write_png(folder / "a.png", half_covered(), {false, 255, 255, 255});
+  const Decoded white = decode(folder / "a.png");
+  EXPECT_FALSE(white.color);
+  for (const auto& [x, value] : {std::pair(0, 0.5f), {1, 0.625f}, {2, 1.0f}})
+    EXPECT_EQ(white.bytes[std::size_t(3 * x)], srgb_byte(value)) << x;
+
+  write_png(folder / "a.png", half_covered(), {false, 10, 128, 250});
+  const Decoded color = decode(folder / "a.png");
+  EXPECT_TRUE(color.color);
+  EXPECT_EQ(color.bytes[6], 10);
+  EXPECT_EQ(color.bytes[7], 128);
+  EXPECT_EQ(color.bytes[8], 250);
+  EXPECT_EQ(color.bytes[0], srgb_byte(0.5f));
+
+  write_png(folder / "a.png", half_covered());  // black: the values as they are
+  EXPECT_EQ(decode(folder / "a.png").bytes[3], srgb_byte(0.125f));
+}
+
 TEST(Png, KeepsRowsAndColumnsAndChannelsInOrder) {
   test::TemporaryFolder folder;
   write_png(folder / "a.png", rgb_image(2, 2, {1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}));

@@ -41,6 +41,8 @@ KeyValue another(const Domain& domain, const KeyValue& now, std::size_t word) {
     case Form::scale:
       return dvec3(2, 0.1, -1);
     case Form::choice:
+    case Form::view:
+    case Form::color:
       return std::string(domain.words[word]);
     case Form::names:
       return std::vector<std::string>{"leaf", "a \"stem\""};
@@ -162,7 +164,8 @@ int walk(std::span<const Key<Owner>> keys, const Scene& base, OwnerOf owner) {
 
 TEST(SceneKeys, EveryOtherKeyIsReadWrittenAndHashed) {
   const auto whole = [](Scene& scene) -> Scene& { return scene; };
-  Scene fixed = scene_of(EffectKind::ao), to_error = fixed, placed = fixed, on_ground = fixed;
+  Scene fixed = scene_of(EffectKind::ao), to_error = fixed, placed = fixed, on_ground = fixed, framed = fixed;
+  framed.automatic_camera = true;
   to_error.stop.error = 0.05;
   placed.mesh_file = "/a.obj";
   placed.instances = {{"/a.obj"}, {"/b.obj"}};
@@ -175,7 +178,8 @@ TEST(SceneKeys, EveryOtherKeyIsReadWrittenAndHashed) {
   EXPECT_EQ(walk(renderer_keys().subspan(1), to_error, whole), int(of_renderer) - 1);  // less spp
   EXPECT_EQ(walk(input_keys(), fixed, whole) + walk(input_keys(), placed, whole), 2 + 2);
   EXPECT_EQ(walk(film_keys(), fixed, whole), int(film_keys().size()));
-  EXPECT_EQ(walk(camera_keys(), fixed, whole), int(camera_keys().size()));
+  EXPECT_EQ(walk(camera_keys(), fixed, whole), int(camera_keys().size()) - 2);   // less view and margin
+  EXPECT_EQ(walk(camera_keys(), framed, whole), int(camera_keys().size()) - 2);  // less eye and at
   EXPECT_EQ(walk(instance_keys(), placed, [](Scene& s) -> Instance& { return s.instances[1]; }),
             int(instance_keys().size()));
   EXPECT_EQ(walk(ground_keys(), on_ground, [](Scene& s) -> Ground& { return *s.ground; }),
@@ -191,9 +195,27 @@ TEST(SceneKeys, AnAutomaticCameraIsKept) {
   EXPECT_EQ(again.camera.fov, 40);
 }
 
+TEST(SceneKeys, AViewFramesTheMesh) {
+  const Scene scene = read_again("[input]\nobjfile = \"m.obj\"\n[camera]\nview = \"left\"\nup = \"-z\"\n");
+  EXPECT_TRUE(scene.automatic_camera);
+  EXPECT_EQ(scene.view, (View{-90, 0}));
+  EXPECT_EQ(scene.camera.up, vec3(0, 0, -1));
+  const Scene again = read_again(to_toml(scene));
+  EXPECT_EQ(again.view, scene.view);
+  EXPECT_EQ(again.camera.up, scene.camera.up);
+}
+
+TEST(SceneKeys, AGroundOfNoneIsNoGround) {
+  const std::string start = "[input]\nobjfile = \"m.obj\"\n[ground]\nup = \"-x\"\n";
+  EXPECT_EQ(read_again(start).ground->up, Axis::minus_x);
+  EXPECT_FALSE(read_again(start + "height = \"none\"\n").ground);
+}
+
 TEST(SceneKeys, NoFlagIsTwoKeys) {
   std::vector<std::string_view> flags;
-  for (const Key<Scene>& key : renderer_keys()) flags.push_back(key.info.flag);
+  for (const auto keys : {camera_keys(), film_keys(), renderer_keys()})
+    for (const Key<Scene>& key : keys) flags.push_back(key.info.flag);
+  for (const Key<Ground>& key : ground_keys()) flags.push_back(key.info.flag);
   for (const Key<Effect>& key : effect_keys()) flags.push_back(key.info.flag);
   std::erase(flags, "");
   EXPECT_GT(flags.size(), 12u);

@@ -130,7 +130,8 @@ void add_bake_command(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand(
       "bake", "Write AO and bent normals at the mesh's vertices into a PLY file, or into a texture");
   // The film of the scene is not what is baked.
-  options->scene.add_to(*command, ambient_kinds, {"--size", "--crop"});
+  options->scene.add_to(*command, ambient_kinds,
+                        {"--size", "--crop", "--view", "--margin", "--up", "--ground"});
   options->device.add_to(*command);
   command->add_option("--to", options->to, "vertices or texture")
       ->check(CLI::IsMember({"vertices", "texture"}));

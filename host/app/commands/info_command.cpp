@@ -96,7 +96,7 @@ int print_info(const SceneOptions& options) {
 void add_info_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<SceneOptions>();
   CLI::App* command = app.add_subcommand("info", "Describe a scene's mesh and what its numbers resolve to");
-  options->add_to(*command);
+  options->add_to(*command, all_kinds, {"--view", "--margin", "--up", "--ground"});
   command->callback([options, &chosen] { chosen = [options] { return print_info(*options); }; });
 }
 

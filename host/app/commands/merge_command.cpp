@@ -16,6 +16,7 @@
 #include "image/png.hpp"
 #include "picture/picture.hpp"
 #include "report/run_record.hpp"
+#include "scene/scene_toml.hpp"
 
 namespace nook {
 namespace {
@@ -63,6 +64,12 @@ FilmPart join(const MergeOptions& options) {
   return joined;
 }
 
+// As the scene has it that the parts are of; black if they do not say it.
+Background background_of(const Image& image) {
+  const auto scene = image.metadata.find("nook/scene");
+  return scene == image.metadata.end() ? Background{} : parse_scene(scene->second, "").background;
+}
+
 int merge(const MergeOptions& options) {
   if (options.output.empty() && !options.status)
     throw Error(ErrorKind::usage, "merge: needs -o OUT.exr, -o PART.nook or --status");
@@ -92,7 +99,7 @@ int merge(const MergeOptions& options) {
     image.metadata["nook/not_repeatable"] =
         missing.empty() ? "its parts may be from different devices" : "it is of parts that lack samples";
   write_exr(options.output, image);
-  if (options.png) write_png(fs::path(options.output).replace_extension(".png"), image);
+  if (options.png) write_png(fs::path(options.output).replace_extension(".png"), image, background_of(image));
   if (!options.quiet) warn_of_rejected(part.counts.rejected);
   return 0;
 }

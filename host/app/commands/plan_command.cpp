@@ -45,6 +45,8 @@ void print_table(const Scene& scene, const Plan& plan, const TriangleMesh& mesh,
                                              counted(plan.directions, "direction"));
   fmt::print("{}: {}x{} pixels, {}{}\n", scene.file.string(), plan.window.width(), plan.window.height(), rays,
              counted(mesh.scene_triangles(), "triangle"));
+  fmt::print("\nPicture\n");
+  for (const auto& [name, text] : report.picture) fmt::print("  {:<16} {}\n", name, text);
   print_layers(plan);
   fmt::print("\nPasses\n");
   for (const PassReport& pass : report.passes)
@@ -78,6 +80,7 @@ void print_json(const Plan& plan, const TriangleMesh& mesh, const PlanReport& re
     json["spp"] = plan.spp;
     json["directions"] = plan.directions;
   }
+  for (const auto& [name, text] : report.picture) json["picture"][name] = text;
   auto traced = plan.effects.begin();
   for (const LayerPlan& layer : plan.layers) {
     nlohmann::json entry = {{"channels", layer_text(layer)}, {"type", name_of(layer.kind)}};
@@ -118,6 +121,7 @@ void add_plan_command(CLI::App& app, Command& chosen) {
   CLI::App* command =
       app.add_subcommand("plan", "Say what a render of a scene will do, what it leaves out, and why");
   options->scene.add_to(*command);
+  options->scene.add_background_to(*command);
   command->add_flag("--json", options->json, "As JSON");
   command->callback([options, &chosen] { chosen = [options] { return show_plan(*options); }; });
 }

@@ -99,8 +99,9 @@ void add_probe_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<ProbeOptions>();
   CLI::App* command =
       app.add_subcommand("probe", "Estimate AO or RO at the points of a CSV file; CSV on stdout");
-  options->scene.add_to(*command, {EffectKind::ao, EffectKind::ro},
-                        {"--spp", "--directions", "--size", "--crop"});
+  options->scene.add_to(
+      *command, {EffectKind::ao, EffectKind::ro},
+      {"--spp", "--directions", "--size", "--crop", "--view", "--margin", "--up", "--ground"});
   options->device.add_to(*command);
   command
       ->add_option(

@@ -14,7 +14,8 @@
 #include "base/libraries.hpp"
 #include "image/exr.hpp"
 #include "image/png.hpp"
-#include "plan/scene_camera.hpp"
+#include "plan/framing.hpp"
+#include "plan/scene_ground.hpp"
 #include "render/picture_run.hpp"
 #include "render/scene_renderer.hpp"
 #include "report/run_record.hpp"
@@ -62,13 +63,13 @@ void record_ssao(const SsaoLayers& layers, RunRecord& record) {
 }
 
 // Writes the picture (a shard has none yet) and the record.
-void finish(const Job& job, Image& image, RunRecord& record) {
+void finish(const Job& job, const Background& background, Image& image, RunRecord& record) {
   const RenderOptions& options = job.options;
   Stopwatch watch;
   if (!image.channels.empty()) {
     image.metadata = record.metadata();
     write_exr(job.output, image);
-    if (options.png) write_png(fs::path(job.output).replace_extension(".png"), image);
+    if (options.png) write_png(fs::path(job.output).replace_extension(".png"), image, background);
   }
   record.seconds.write = watch.seconds();
   record.seconds.total = job.whole.seconds();
@@ -127,7 +128,7 @@ int render(SceneRenderer& renderer, const Job& job) {
     if (!record.plan.needs_opencl()) record.seconds.render = drawing.seconds();
     if (!options.quiet) announce_ssao(record);
   }
-  finish(job, image, record);
+  finish(job, renderer.scene().background, image, record);
   if (record.plan.needs_opencl()) renderer.tracer().store_programs();
   return record.error ? announce_error(*record.error, options.quiet) : 0;
 }
@@ -141,6 +142,13 @@ int forecast_only(SceneRenderer& renderer, const Job& job) {
   print_forecast(renderer.tracer(), record.plan, renderer.scene().stop);
   renderer.tracer().store_programs();
   return 0;
+}
+
+std::vector<Camera> turn_of(const Scene& scene, const TriangleMesh& mesh, unsigned count) {
+  if (scene.automatic_camera) return framing_turn(scene, mesh, count);
+  std::vector<Camera> cameras;
+  for (unsigned i = 0; i < count; ++i) cameras.push_back(turned_camera(scene.camera, i, count));
+  return cameras;
 }
 
 // One picture after the other; the code is that of the worst.
@@ -164,12 +172,13 @@ int render_turntable(const Scene& scene, const RenderOptions& options) {
   Scene still = scene;
   still.stop = options.check(scene);
   SceneRenderer renderer = make_renderer(still, options, options.aovs);
-  const Camera camera = resolve_camera(scene, renderer.mesh());
+  const std::vector<Camera> cameras = turn_of(scene, renderer.mesh(), options.turntable);
   int worst = 0;
   for (unsigned i = 0; i < options.turntable; ++i) {
     Scene turned = scene;
     turned.automatic_camera = false;
-    turned.camera = turned_camera(camera, i, options.turntable);
+    turned.camera = cameras[i];
+    if (scene.ground) turned.ground = settled_ground(renderer.mesh());
     const RenderOptions one = picture(i);
     const Job job = checked(turned, one);
     SceneRenderer view(renderer, turned);

@@ -53,6 +53,7 @@ void RenderOptions::add_to(CLI::App& command) {
   command.add_option("--stats", stats, "Write the run record as JSON");
   command.add_flag("--png,!--no-png", png,
                    "Write a PNG preview beside the EXR (sRGB encoded); on by default");
+  scene.add_background_to(command);
   command.add_flag("--denoise", denoise, flag_help(*key_of_flag("--denoise")));
   command.add_flag("--quiet", quiet, "Say nothing but errors");
   command.add_flag("--print-config", print_config,

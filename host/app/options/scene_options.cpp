@@ -54,6 +54,8 @@ void for_each_flag(Use use) {
     for (const auto& key : keys)
       if (!key.info.flag.empty() && key.info.of_samples) use(key.info);
   };
+  each(camera_keys());
+  each(ground_keys());
   each(renderer_keys());
   each(effect_keys());
 }
@@ -61,6 +63,7 @@ void for_each_flag(Use use) {
 }  // namespace
 
 void SceneOptions::add_to(CLI::App& command, EffectKinds kinds, const std::set<std::string_view>& left_out) {
+  of_pictures = !left_out.contains("--view");
   command
       .add_option("scene", scene,
                   "Scene file (TOML), a bare mesh (.obj, .ply, .stl, each also .gz), or an .exr picture: the "
@@ -77,6 +80,17 @@ void SceneOptions::add_to(CLI::App& command, EffectKinds kinds, const std::set<s
       ->delimiter(',')
       ->expected(4)
       ->envname("NOOK_CROP");
+}
+
+void SceneOptions::add_background_to(CLI::App& command) {
+  add_key_flag(command, *key_of_flag("--background"), texts["--background"]);
+}
+
+template <class Owner>
+void SceneOptions::apply(std::span<const Key<Owner>> keys, Owner& owner) const {
+  for (const Key<Owner>& key : keys)
+    if (has(std::string(key.info.flag)))
+      key.field.set(owner, *parse_value(texts.at(std::string(key.info.flag)), key.info.domain));
 }
 
 bool SceneOptions::has(const std::string& flag) const {
@@ -109,12 +123,15 @@ void SceneOptions::apply(Effect& effect) const {
 Scene SceneOptions::load(const std::function<void(Scene&)>& choose) const {
   if (is_unread_mesh(scene)) refuse_format(scene);
   Scene loaded = is_picture(scene) ? scene_of_picture(scene)
-                 : is_mesh(scene)  ? scene_of_mesh(scene)
+                 : is_mesh(scene)  ? (of_pictures ? picture_of_mesh(scene) : scene_of_mesh(scene))
                                    : load_scene(scene);
   if (choose) choose(loaded);
-  for (const Key<Scene>& key : renderer_keys())
-    if (has(std::string(key.info.flag)))
-      key.field.set(loaded, *parse_value(texts.at(std::string(key.info.flag)), key.info.domain));
+  for (const auto keys : {camera_keys(), film_keys(), renderer_keys()}) apply(keys, loaded);
+  if (has("--ground")) {
+    if (!loaded.ground) loaded.ground.emplace();
+    apply(ground_keys(), *loaded.ground);
+    if (loaded.ground->none) loaded.ground.reset();
+  }
   for (Effect& effect : loaded.effects) apply(effect);
   if (size) std::tie(loaded.width, loaded.height) = parse_size(*size);
   if (!crop.empty()) loaded.crop = PixelRect{crop[0], crop[2], crop[1], crop[3]};

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,14 +25,20 @@ struct SceneOptions {
   std::map<std::string, std::string> texts;  ///< what was given for a key's flag; empty: nothing
   std::optional<std::string> size;
   std::vector<int> crop;
+  bool of_pictures = true;  ///< a bare mesh is loaded as its first picture; else as the mesh alone
 
   /// Adds SCENE and the options to a subcommand: those of keys that effects of `kinds` read, less `left_out`
   /// ("--spp"): what a command does not read is neither in its help nor taken.
   void add_to(CLI::App& command, EffectKinds kinds = all_kinds,
               const std::set<std::string_view>& left_out = {});
+  /// Adds the preview's.
+  void add_background_to(CLI::App& command);
   /// Loads the scene (TOML, a bare mesh, a picture), lets `choose` change it, applies the overrides,
   /// validates. Throws Error(usage) or Error(scene).
   Scene load(const std::function<void(Scene&)>& choose = {}) const;
+  /// Sets what the flags say of these keys.
+  template <class Owner>
+  void apply(std::span<const Key<Owner>> keys, Owner& owner) const;
   /// Sets what the flags say of an effect of its type. Throws Error(usage) for settings that exclude one
   /// another.
   void apply(Effect& effect) const;
