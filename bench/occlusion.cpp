@@ -1,5 +1,6 @@
 #include "occlusion.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cstdio>
 #include <memory>

@@ -1,5 +1,6 @@
 #include "bench/embree/embree_occlusion.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cstring>
 #include <limits>

@@ -5,6 +5,7 @@
 // Cosine-distributed directions and the Sobol sampler only. Compiled for the machine it is built on.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdio>

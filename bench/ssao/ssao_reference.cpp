@@ -1,5 +1,6 @@
 #include "bench/ssao/ssao_reference.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>

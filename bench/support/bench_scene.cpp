@@ -1,5 +1,6 @@
 #include "bench/support/bench_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <functional>

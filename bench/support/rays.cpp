@@ -1,5 +1,6 @@
 #include "bench/support/rays.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 

@@ -200,9 +200,12 @@ class UpperTree {
 
   void count_pairs() {
     std::vector<std::uint32_t> order = {0};
-    for (std::size_t i = 0; i < order.size(); ++i)
-      if (const Node& node = nodes_[order[i]]; node.left != none)
-        order.insert(order.end(), {node.left, node.right});
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const Node& node = nodes_[order[i]];
+      if (node.left == none) continue;
+      order.push_back(node.left);
+      order.push_back(node.right);
+    }
     for (auto i = order.rbegin(); i != order.rend(); ++i)
       if (Node& node = nodes_[*i]; node.left != none)
         node.count = nodes_[node.left].count + nodes_[node.right].count;

@@ -2,6 +2,7 @@
 // of CORPUS/TARGET/* are seeds too. An input that brings the reader down is left in nook_fuzz.TARGET.input.
 // nook_fuzz --seeds FOLDER: writes the seeds to FOLDER/TARGET/* and the words to FOLDER/TARGET.dict, as
 // libFuzzer and AFL++ read them.
+#include <algorithm>
 #include <cctype>
 #include <chrono>
 #include <csignal>

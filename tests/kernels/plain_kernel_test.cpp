@@ -50,7 +50,7 @@ BuildOptions plain(const std::string& file) {
 }
 
 // Of the product's plain kernel; compiled once.
-const std::string& plain_code(const std::string& file) {
+const std::string& plain_code(const char* file) {
   static std::map<std::string, std::string> codes;
   const auto [place, fresh] = codes.try_emplace(file);
   if (fresh) place->second = machine_code(kernel_source(file), plain(file));

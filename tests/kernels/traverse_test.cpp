@@ -2,6 +2,7 @@
 // rounding hurts: edges, vertices, axis-parallel rays, tiny and huge scales.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 

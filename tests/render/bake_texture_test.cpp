@@ -2,6 +2,7 @@
 // and that a filter reads no background at a seam.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 #include <sstream>
 #include <stdexcept>

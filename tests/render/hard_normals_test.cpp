@@ -1,5 +1,6 @@
 // Hard cases of docs/hard-cases.md that lie in normals and lobes; each expected value is derived where it
 // stands.
+#include <algorithm>
 #include <numbers>
 
 #include "hard_case.hpp"

@@ -1,6 +1,7 @@
 // Sets of occluders and receivers against their oracle: the scene without the other triangles, bit for bit.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include <functional>

@@ -1,5 +1,6 @@
 #include "support/oracle.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>

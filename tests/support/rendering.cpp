@@ -1,5 +1,7 @@
 #include "support/rendering.hpp"
 
+#include <algorithm>
+
 #include "points/outside.hpp"
 #include "render/point_estimates.hpp"
 

@@ -1,5 +1,6 @@
 #include "support/warp_oracle.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
