@@ -108,6 +108,7 @@ Scene picture_of_mesh(const std::filesystem::path& mesh_file) {
   Scene scene = scene_of_mesh(mesh_file);
   scene.ground.emplace();
   scene.background = {.transparent = true};
+  scene.effects.front().side = Side::viewer;  // whatever the winding is
   scene.effects.front().max_distance = {DistanceLimit::Kind::none, 0};
   return scene;
 }

@@ -8,9 +8,13 @@
 #include "shared/surface_point.h"
 #include "trace/triangle.cl"
 
-bool looks_to_the_other_side(float3 normal, float3 view) {
+// The viewer sees a side of the triangle: near silhouettes a shading normal may face away that is on the viewer's side all the same.
+bool looks_to_the_other_side(__global const SurfacePoint* point, float3 normal, float3 view) {
   if (SIDE == SIDE_INSIDE) return true;
-  return SIDE == SIDE_VIEWER && dot(normal, view) < 0.0f;
+  if (SIDE != SIDE_VIEWER) return false;
+  if (point->flags & SURFACE_GIVEN) return dot(normal, view) < 0.0f;
+  const float3 n = (float3)(point->geometric_normal[0], point->geometric_normal[1], point->geometric_normal[2]);
+  return dot(n, view) * dot(n, normal) < 0.0f;
 }
 
 // The point's ray origin on the other side of its triangle: as far from the plane as it was, and no nearer than distance_off(). A point

@@ -89,7 +89,7 @@ __kernel void occlusion(BVH_PARAMS OCCLUSION_ARGUMENTS(IN_PARAM, OUT_PARAM, VALU
         float3 origin = (float3)(point->origin[0], point->origin[1], point->origin[2]);
         float3 normal = (float3)(point->normal[0], point->normal[1], point->normal[2]);
         const float3 view = (float3)(point->view[0], point->view[1], point->view[2]);
-        if (SIDE != SIDE_NORMAL && looks_to_the_other_side(normal, view)) {
+        if (SIDE != SIDE_NORMAL && looks_to_the_other_side(point, normal, view)) {
           origin = origin_on_other_side(point, TRIANGLE_ARGS, origin, normal);
           normal = -normal;
         }

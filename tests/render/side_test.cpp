@@ -68,5 +68,31 @@ TEST(Side, ViewersSide) {
   EXPECT_NEAR(mean, c * c, 4 * std::sqrt(0.1875 / (64 * 64)));
 }
 
+// A plane that is seen at a grazing angle, with vertex normals that lean away from the eye: it is seen from
+// above all the same, and a ceiling hides as much of what its normals face.
+TEST(Side, ViewersSideIsTheTrianglesNotTheShadingNormals) {
+  TriangleMesh mesh = plane_at(0);
+  mesh.normals = {glm::normalize(vec3(0.8f, 0, 0.6f))};
+  mesh.triangle_normals.assign(mesh.triangles.size(), {0, 0, 0});
+  add_quad(mesh, {-1000, -1000, 1}, {2000, 0, 0}, {0, 2000, 0});
+  mesh.triangle_normals.resize(mesh.triangles.size(),
+                               {TriangleMesh::no_normal, TriangleMesh::no_normal, TriangleMesh::no_normal});
+  Scene scene;
+  scene.camera = {{-3, 0, 0.5f}, {0, 0, 0}, {0, 0, 1}, 10};
+  scene.width = scene.height = 8;
+  scene.spp = 64;
+  scene.effects = {ao_within(2), ao_within(2)};
+  scene.effects[1].side = Side::viewer;
+  const Plan plan = make_plan(scene, mesh);
+  const Bvh bvh = build_bvh(mesh);
+  OcclusionTracer tracer(device(), plan, mesh, bvh);
+  std::vector<Film> films = tracer.make_films();
+  tracer.accumulate(pixels_in_order(plan.window, plan.width), {0, scene.spp}, films);
+  EXPECT_EQ(films[0].hits, std::vector<std::uint32_t>(64, scene.spp));
+  EXPECT_EQ(films[1].sum, films[0].sum);
+  EXPECT_GT(films[0].value(0), 0);
+  EXPECT_LT(films[0].value(0), 1);
+}
+
 }  // namespace
 }  // namespace nook::test
