@@ -36,7 +36,7 @@ struct Extents {
       : lo(glm::min(p[0], glm::min(p[1], p[2]))), hi(glm::max(p[0], glm::max(p[1], p[2]))) {
     const vec3 sides = hi - lo, any = glm::max(sides, 0.125f * glm::max(glm::abs(lo), glm::abs(hi)));
     extent = std::max({sides.x, sides.y, sides.z});
-    bound = 0x1.01p-17f * (any.x + any.y + any.z) + 0x1.01p-31f * extent;
+    bound = 0x1.41p-17f * (any.x + any.y + any.z) + 0x1.01p-31f * extent;
   }
   bool far_from(const std::optional<dvec3>& p) const {
     if (!p) return true;

@@ -19,7 +19,7 @@ double distance_to_segment(const dvec3& p, const dvec3& a, const dvec3& b) {
 }  // namespace
 
 double resolution_of(const dvec3& n, const dvec3& sides, const dvec3& far) {
-  return 0x1p-17 * glm::dot(glm::abs(n), glm::max(sides, 0.125 * far)) + 0x1p-31 * largest(sides);
+  return 0x1.4p-17 * glm::dot(glm::abs(n), glm::max(sides, 0.125 * far)) + 0x1p-31 * largest(sides);
 }
 
 CoarseTriangle::CoarseTriangle(std::uint64_t its_number, const vec3& a, const vec3& b, const vec3& c)

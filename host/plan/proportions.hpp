@@ -12,9 +12,9 @@ namespace nook {
 /// A line about the triangle whose corners, as floats, are too coarse for what is of interest beside it, so
 /// that an effect may be off by more than .001; "" if there is none, as in ordinary scenes. How coarse a
 /// triangle is, is the least distance that its place is good for (its resolution, file's units):
-///   2^-17 sum |n_i| max(e_i, |p_i| / 8) + 2^-31 e,   n: unit normal, e_i: its sides, e the largest, p:
+///   1.25 2^-17 sum |n_i| max(e_i, |p_i| / 8) + 2^-31 e,   n: unit normal, e_i: its sides, e the largest, p:
 ///   corners
-/// that is some 1 / 100 000 of a tilted triangle and hardly anything of one along the axes, whose rounding
+/// that is some 1 / 80 000 of a tilted triangle and hardly anything of one along the axes, whose rounding
 /// does not move it off its plane. Of interest are
 ///   - the effects' distance limits that are finite and above 0, and SSAO's radius (to 10^-6 of any
 ///   triangle);
