@@ -98,8 +98,8 @@ class Run {
  public:
   Run(const Scene& scene, Case::What what)
       : what_(what),
-        renderer_(scene, [] { return Device(select_device("cpu")); },
-                  {.attributes = attributes_of(scene, what)}),
+        renderer_(
+            scene, [] { return Device(select_device("cpu")); }, options_of(scene, what)),
         tracer_(renderer_.tracer()),
         pixels_(pixels_in_order(plan().window, plan().width)) {
     if (what == Case::What::texture) texels_ = texture_points(renderer_.mesh(), 128);
@@ -121,6 +121,11 @@ class Run {
   }
 
  private:
+  static SceneRendererOptions options_of(const Scene& scene, Case::What what) {
+    SceneRendererOptions options;
+    options.attributes = attributes_of(scene, what);
+    return options;
+  }
   static MeshAttributes attributes_of(const Scene& scene, Case::What what) {
     MeshAttributes attributes = needed_attributes(scene);
     attributes.uvs = attributes.uvs || what == Case::What::texture;
