@@ -8,6 +8,7 @@ namespace nook {
 namespace {
 
 std::string message_of(const Place& place, std::string_view what) {
+  if (place.file.empty()) return std::string(what);
   std::string text = place.file;
   if (place.row) text += fmt::format(":{}", place.row);
   if (place.column) text += fmt::format(":{}", place.column);

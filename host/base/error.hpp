@@ -28,7 +28,7 @@ struct Place {
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
-  /// The message is "<file>:<row>:<column>: <what>".
+  /// The message is "<file>:<row>:<column>: <what>", or without a file `what` alone.
   Error(ErrorKind kind, Place place, std::string_view what);
   /// The same error with `more` said after its message.
   Error(const Error& error, const std::string& more)

@@ -10,24 +10,41 @@
 namespace nook {
 namespace {
 
-std::vector<vec3> vectors(std::span<const float> values, const char* name) {
-  if (values.size() % 3 != 0)
-    throw Error(ErrorKind::scene, Place{name}, fmt::format("{} numbers, not three a vertex", values.size()));
-  std::vector<vec3> made(values.size() / 3);
-  for (std::size_t i = 0; i < made.size(); ++i) {
-    made[i] = {values[3 * i], values[3 * i + 1], values[3 * i + 2]};
-    if (!finite(made[i])) throw Error(ErrorKind::scene, Place{name}, fmt::format("row {} is not finite", i));
-  }
-  return made;
+template <class T>
+dvec3 vector(std::span<const T> values, std::size_t i) {
+  return {double(values[3 * i]), double(values[3 * i + 1]), double(values[3 * i + 2])};
 }
 
-}  // namespace
+template <class T>
+void check_vectors(std::span<const T> values, const char* name) {
+  if (values.size() % 3 != 0)
+    throw Error(ErrorKind::scene, Place{name}, fmt::format("{} numbers, not three a vertex", values.size()));
+  for (std::size_t i = 0; i < values.size() / 3; ++i)
+    if (!finite(vec3(vector(values, i))))
+      throw Error(ErrorKind::scene, Place{name}, fmt::format("row {} is not finite", i));
+}
 
-TriangleMesh mesh_of_arrays(std::span<const float> positions, std::span<const std::uint32_t> triangles,
-                            std::span<const float> normals) {
+template <class T>
+void set_positions(std::span<const T> positions, TriangleMesh& mesh) {
+  dvec3 lo(HUGE_VAL), hi(-HUGE_VAL);
+  mesh.positions.resize(positions.size() / 3);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    lo = glm::min(lo, vector(positions, i));
+    hi = glm::max(hi, vector(positions, i));
+  }
+  mesh.frame = frame_for(lo, hi);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+    mesh.positions[i] = vec3(mesh.frame.from_file(vector(positions, i)));
+}
+
+template <class T>
+TriangleMesh made_of(std::span<const T> positions, std::span<const std::uint32_t> triangles,
+                     std::span<const float> normals) {
+  check_vectors(positions, "positions");
+  check_vectors(normals, "normals");
   TriangleMesh mesh;
-  mesh.positions = vectors(positions, "positions");
-  mesh.normals = vectors(normals, "normals");
+  set_positions(positions, mesh);
+  for (std::size_t i = 0; i < normals.size() / 3; ++i) mesh.normals.push_back(vec3(vector(normals, i)));
   if (!normals.empty() && normals.size() != positions.size())
     throw Error(ErrorKind::scene, fmt::format("normals: {} vertices, and {} positions", mesh.normals.size(),
                                               mesh.positions.size()));
@@ -53,6 +70,18 @@ TriangleMesh mesh_of_arrays(std::span<const float> positions, std::span<const st
   }
   mesh.report.triangles_read = mesh.triangles.size();
   return mesh;
+}
+
+}  // namespace
+
+TriangleMesh mesh_of_arrays(std::span<const float> positions, std::span<const std::uint32_t> triangles,
+                            std::span<const float> normals) {
+  return made_of(positions, triangles, normals);
+}
+
+TriangleMesh mesh_of_arrays(std::span<const double> positions, std::span<const std::uint32_t> triangles,
+                            std::span<const float> normals) {
+  return made_of(positions, triangles, normals);
 }
 
 }  // namespace nook

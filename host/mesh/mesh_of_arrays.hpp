@@ -13,5 +13,8 @@ namespace nook {
 /// no multiples of three, an index out of range, a position or normal that is not finite, no triangle.
 TriangleMesh mesh_of_arrays(std::span<const float> positions, std::span<const std::uint32_t> triangles,
                             std::span<const float> normals = {});
+/// The same of doubles: coordinates far from 0 keep their digits (TriangleMesh::frame).
+TriangleMesh mesh_of_arrays(std::span<const double> positions, std::span<const std::uint32_t> triangles,
+                            std::span<const float> normals = {});
 
 }  // namespace nook

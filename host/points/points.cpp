@@ -47,18 +47,17 @@ Row read_row(const std::string& line) {
   return row;
 }
 
-// Scaled by the largest component first, so that neither 1e-30 nor 1e30 is lost.
-vec3 unit(const double* v) {
-  const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
-  if (largest == 0) return vec3(0);
-  return vec3(glm::normalize(dvec3(v[0], v[1], v[2]) / largest));
-}
-
 void store(float (&out)[3], const vec3& v) {
   for (int i = 0; i < 3; ++i) out[i] = v[i];
 }
 
 }  // namespace
+
+// Scaled by the largest component first, so that neither 1e-30 nor 1e30 is lost.
+vec3 unit(const dvec3& v) {
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  return largest == 0 ? vec3(0) : vec3(glm::normalize(v / largest));
+}
 
 SurfacePoint surface_point(const vec3& position, const vec3& normal, const vec3& view, const vec3& off,
                            float extent) {
@@ -103,8 +102,8 @@ std::vector<SurfacePoint> read_points(std::istream& in, const std::string& name,
     if (!wrong.empty()) fail(fmt::format("'{}' is not a finite number", wrong));
     if (n.size() != 6 && n.size() != 9)
       fail(fmt::format("{} columns, expected px,py,pz,nx,ny,nz or px,py,pz,nx,ny,nz,vx,vy,vz", n.size()));
-    const vec3 normal = unit(&n[3]);
-    const vec3 view = n.size() == 9 ? unit(&n[6]) : vec3(0);
+    const vec3 normal = unit({n[3], n[4], n[5]});
+    const vec3 view = n.size() == 9 ? unit({n[6], n[7], n[8]}) : vec3(0);
     if (normal == vec3(0)) fail("the normal is zero");
     if (needs_view && view == vec3(0))
       fail(n.size() == 9 ? "the view direction is zero"

@@ -11,6 +11,9 @@
 
 namespace nook {
 
+/// v / |v|, of a vector of any length; 0 of 0.
+vec3 unit(const dvec3& v);
+
 /// A surface point for the occlusion kernel. Its rays start off the surface by what rounding the point may
 /// move it: four half ulps of its coordinates along `off`, each rounded outwards, and sixteen of `extent`, a
 /// length that is small for the surface about it. normal: unit, the one directions are drawn about; off:

@@ -38,6 +38,7 @@ std::vector<Film> estimate_at_points(OcclusionTracer& tracer, const Plan& plan,
                                      std::span<const SurfacePoint> points, std::uint32_t directions,
                                      const OcclusionTracer::Progress& progress) {
   const std::uint32_t count = randomisations_at_points(plan.sampler, directions);
+  tracer.set_samples(plan.spp, plan.seed);  // whatever an earlier call left
   if (count == 1) return tracer.estimate_all(points, directions, progress);
   std::vector<Film> whole;
   for (const EffectPlan& planned : plan.effects)

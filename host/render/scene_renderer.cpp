@@ -23,7 +23,8 @@ struct SceneRenderer::Shared {
   std::future<Device> opening;
   OpenDevice open;
   std::optional<Device> device;
-  std::optional<Bvh> tree;
+  // What a plan asks of reach depends on the tree (tree_width()), so it has one that no other plan chose.
+  std::optional<Bvh> trees[2];
 };
 
 SceneRenderer::SceneRenderer(Scene scene, OpenDevice open, SceneRendererOptions options)
@@ -44,8 +45,9 @@ SceneRenderer::SceneRenderer(Scene scene, TriangleMesh mesh, OpenDevice open, Sc
   make_plan();
 }
 
-SceneRenderer::SceneRenderer(const SceneRenderer& other, Scene scene)
+SceneRenderer::SceneRenderer(const SceneRenderer& other, Scene scene, std::optional<bool> surface)
     : scene_(std::move(scene)), options_(other.options_), shared_(other.shared_) {
+  options_.surface = surface.value_or(options_.surface);
   make_plan();
 }
 
@@ -79,21 +81,23 @@ const Device& SceneRenderer::device() {
 }
 
 const Bvh& SceneRenderer::tree() {
-  if (!shared_->tree) {
+  std::optional<Bvh>& tree = shared_->trees[plan_.asks_reach()];
+  if (!tree) {
     const BvhOptions options =
         tree_options(device().info(), plan_, rays_.value_or(planned_rays(plan_)), options_.threads);
     Stopwatch watch;
-    shared_->tree = build_bvh(shared_->mesh, options);
+    tree = build_bvh(shared_->mesh, options);
     seconds_.bvh = watch.lap();
   }
-  return *shared_->tree;
+  return *tree;
 }
 
 // Compiling takes about as long as building a tree.
 OcclusionTracer& SceneRenderer::tracer() {
   if (tracer_) return *tracer_;
   const Device& on = device();
-  const unsigned width = shared_->tree ? shared_->tree->width() : tree_width(on.info(), plan_);
+  const std::optional<Bvh>& there = shared_->trees[plan_.asks_reach()];
+  const unsigned width = there ? there->width() : tree_width(on.info(), plan_);
   std::future<OcclusionTracer::Programs> programs = std::async(std::launch::async, [&] {
     return OcclusionTracer::build_programs(on, plan_, width, options_.source, options_.traversal);
   });

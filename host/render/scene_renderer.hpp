@@ -50,7 +50,8 @@ class SceneRenderer {
   /// The same with a mesh that is there: its files are not looked for.
   SceneRenderer(Scene scene, TriangleMesh mesh, OpenDevice open, SceneRendererOptions options = {});
   /// Another view or other effects of `other`'s mesh, on its device, through its tree. `other` may go.
-  SceneRenderer(const SceneRenderer& other, Scene scene);
+  /// surface: instead of its SceneRendererOptions::surface.
+  SceneRenderer(const SceneRenderer& other, Scene scene, std::optional<bool> surface = {});
   ~SceneRenderer();
   SceneRenderer(SceneRenderer&&) noexcept;
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string>
+#include <unordered_set>
 
 #include "scene/effect_keys.hpp"
 
@@ -82,6 +83,22 @@ Effect read_listed_effect(TomlTable& table, bool realtime) {
   check_name(table, effect.name);
   table.finish();
   return effect;
+}
+
+std::vector<Effect> read_effect_list(const std::string& file, const toml::node& list, bool realtime) {
+  const toml::array* tables = list.as_array();
+  if (!tables || tables->empty() || !tables->is_homogeneous<toml::table>())
+    fail_at(file, list.source(), "effects are tables: [[effect]]");
+  std::vector<Effect> effects;
+  std::unordered_set<std::string> names;
+  for (const toml::node& node : *tables) {
+    TomlTable table(file, "[[effect]]", node.as_table());
+    effects.push_back(read_listed_effect(table, realtime));
+    const std::string& name = effects.back().name;
+    if (!name.empty() && !names.insert(name).second)
+      fail_at(file, node.source(), fmt::format("two effects are named '{}'", name));
+  }
+  return effects;
 }
 
 }  // namespace nook

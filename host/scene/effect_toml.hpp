@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "scene/scene.hpp"
 #include "scene/toml_table.hpp"
 
@@ -11,5 +14,8 @@ Effect read_only_effect(TomlTable& renderer, bool realtime);
 
 /// One [[effect]] table: its type decides which keys it may have.
 Effect read_listed_effect(TomlTable& table, bool realtime);
+
+/// All of a list of them; no two have one name.
+std::vector<Effect> read_effect_list(const std::string& file, const toml::node& list, bool realtime);
 
 }  // namespace nook

@@ -1,5 +1,7 @@
 #include "scene/scene_keys.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "scene/effect_keys.hpp"
@@ -216,6 +218,17 @@ const KeyInfo* key_of_flag(std::string_view flag) {
 bool is_read(const KeyInfo& key, const Scene& scene) {
   return std::any_of(scene.effects.begin(), scene.effects.end(),
                      [&](const Effect& e) { return key.readers.contains(e.kind); });
+}
+
+std::string readers_text(const KeyInfo& key) {
+  if (key.readers == traced_kinds) return "with samples";
+  std::vector<std::string_view> types;
+  for (const auto& [name, kind] : effect_names)
+    if (key.readers.contains(kind)) types.push_back(name);
+  const std::string_view last = types.back();
+  types.pop_back();
+  return types.empty() ? fmt::format("of type {}", last)
+                       : fmt::format("of type {} or {}", fmt::join(types, ", "), last);
 }
 
 std::string KeyInfo::variable() const {

@@ -21,4 +21,7 @@ const KeyInfo* key_of_flag(std::string_view flag);
 /// Whether some effect of the scene reads the key.
 bool is_read(const KeyInfo& key, const Scene& scene);
 
+/// "with samples", "of type ao, bent or ro": the effects that read the key, as what a scene lacks.
+std::string readers_text(const KeyInfo& key);
+
 }  // namespace nook

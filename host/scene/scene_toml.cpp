@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <string>
-#include <unordered_set>
 
 #include "base/error.hpp"
 #include "scene/effect_toml.hpp"
@@ -22,19 +21,9 @@ void read_effects(const std::string& file, const toml::node* list, TomlTable& re
     scene.effects = {read_only_effect(renderer, scene.realtime)};
     return;
   }
-  const toml::array* tables = list->as_array();
-  if (!tables || tables->empty() || !tables->is_homogeneous<toml::table>())
-    fail_at(file, list->source(), "effects are tables: [[effect]]");
   if (const toml::node* type = renderer.find("type"))
     fail_at(file, type->source(), "type belongs into the [[effect]] tables of this scene");
-  std::unordered_set<std::string> names;
-  for (const toml::node& node : *tables) {
-    TomlTable table(file, "[[effect]]", node.as_table());
-    const Effect effect = read_listed_effect(table, scene.realtime);
-    if (!effect.name.empty() && !names.insert(effect.name).second)
-      fail_at(file, node.source(), fmt::format("two effects are named '{}'", effect.name));
-    scene.effects.push_back(effect);
-  }
+  scene.effects = read_effect_list(file, *list, scene.realtime);
 }
 
 void read_renderer(TomlTable& renderer, Scene& scene) {

@@ -38,6 +38,18 @@ TEST(MeshOfArrays, IsTheFilesMesh) {
     }
 }
 
+// Doubles on a map are rounded after they are moved near 0: the same floats as of the mesh at 0.
+TEST(MeshOfArrays, KeepsTheDigitsOfDoubles) {
+  const std::vector<double> near(square.begin(), square.end());
+  std::vector<double> far = near;
+  for (double& x : far) x += 1 << 20;
+  const TriangleMesh at_0 = mesh_of_arrays(near, two), on_map = mesh_of_arrays(far, two);
+  EXPECT_EQ(at_0.frame, Frame());
+  ASSERT_NE(on_map.frame, Frame());
+  for (std::size_t i = 0; i < at_0.positions.size(); ++i)
+    EXPECT_EQ(on_map.frame.to_file(dvec3(on_map.positions[i])), dvec3(at_0.positions[i]) + dvec3(1 << 20));
+}
+
 TEST(MeshOfArrays, NamesWhatIsWrong) {
   const auto rejects = [](const std::string& part, const std::vector<float>& positions,
                           const std::vector<std::uint32_t>& triangles,

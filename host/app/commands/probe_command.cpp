@@ -16,8 +16,9 @@
 #include "points/outside.hpp"
 #include "points/points.hpp"
 #include "render/point_estimates.hpp"
+#include "render/point_scene.hpp"
 #include "render/scene_renderer.hpp"
-#include "scene/effect_keys.hpp"
+#include "scene/names.hpp"
 
 namespace nook {
 namespace {
@@ -30,35 +31,16 @@ struct ProbeOptions {
   std::uint32_t samples = 1024;
 };
 
-// The scene's first effect, or one of the type asked for.
-void choose_effect(const std::string& asked, Scene& scene) {
-  Effect effect = scene.effects.front();
-  const EffectKind kind = asked.empty() ? effect.kind : *value_of<EffectKind>(effect_names, asked);
-  if (kind != EffectKind::ao && kind != EffectKind::ro)
-    throw Error(ErrorKind::usage, "--effect: a probe needs ao or ro");
-  if (kind != effect.kind) {
-    const Effect standard = default_effect(kind);
-    effect.kind = kind;
-    effect.sampling = standard.sampling;
-    effect.max_distance = standard.max_distance;
-  }
-  scene.effects = {effect};
-}
-
 Scene probe_scene(const ProbeOptions& options) {
-  Scene scene = options.scene.load([&](Scene& loaded) { choose_effect(options.effect, loaded); });
+  const auto asked = value_of<EffectKind>(effect_names, options.effect);
+  Scene scene = options.scene.load([&](Scene& loaded) {
+    const EffectKind kind = asked.value_or(loaded.effects.front().kind);
+    if (kind != EffectKind::ao && kind != EffectKind::ro)
+      throw Error(ErrorKind::usage, "--effect: a probe needs ao or ro");
+    choose_effect_at_points(asked, loaded);
+  });
   options.scene.check_applicable(scene);
-  const Effect& effect = scene.effects.front();
-  if (effect.kind == EffectKind::ro && effect.exponent_of_material)
-    throw Error(ErrorKind::usage, "points have no material: --exponent gives the one to use");
-  if (effect.only_self)
-    throw Error(ErrorKind::scene, Place{scene.file.string()},
-                "occluders = \"self\": a probe's points belong to no group");
-  scene.denoise = false;
-  scene.spp = 1;
-  scene.directions = options.samples;
-  scene.crop.reset();
-  return scene;
+  return scene_at_points(std::move(scene), options.samples);
 }
 
 int probe(const ProbeOptions& options) {

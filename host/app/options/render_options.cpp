@@ -8,7 +8,7 @@
 
 #include "app/options/key_flags.hpp"
 #include "base/error.hpp"
-#include "base/memory.hpp"
+#include "render/run_checks.hpp"
 #include "scene/names.hpp"
 
 namespace nook {
@@ -54,7 +54,7 @@ void RenderOptions::add_to(CLI::App& command) {
   command.add_flag("--png,!--no-png", png,
                    "Write a PNG preview beside the EXR (sRGB encoded); on by default");
   scene.add_background_to(command);
-  command.add_flag("--denoise", denoise, flag_help(*key_of_flag("--denoise")));
+  command.add_flag("--denoise", denoise, help_text(*key_of_flag("--denoise")));
   command.add_flag("--quiet", quiet, "Say nothing but errors");
   command.add_flag("--print-config", print_config,
                    "Print the scene with every override and default, render nothing");
@@ -76,8 +76,6 @@ StopTarget RenderOptions::check(const Scene& loaded) const {
   const auto fail = [](const char* why) { throw Error(ErrorKind::usage, why); };
   if (!sampled && stop.any()) fail("--error, --time: the scene has no effect with samples");
   if (!sampled && denoise) fail("--denoise: the scene has no effect with samples");
-  if (loaded.denoise && !stop.any() && std::uint64_t(loaded.spp) * loaded.directions < 2)
-    fail("--denoise: needs two samples a pixel or more; their variance steers the filter");
   if (loaded.denoise && shard)
     fail("--denoise, --shard: a share of a picture is not denoised; render it whole, or leave denoise out");
   if (!sampled && kept) fail("--checkpoint, --resume, --shard: the scene has no effect with samples to keep");
@@ -86,10 +84,10 @@ StopTarget RenderOptions::check(const Scene& loaded) const {
   if (!screen_space && frames) fail("--frames: the scene has no screen-space effect to draw again");
   if (stop.error && shard) fail("--error: a share of a picture (--shard) has a fixed number of samples");
   if (stop.seconds && shard) fail("--time: a share of a picture (--shard) has a fixed number of samples");
-  if (stop.error && !AdaptiveRender::can_use(loaded.sampler))
-    throw Error(ErrorKind::usage,
-                fmt::format("--error: works with sampler independent, sobol or halton, not {}",
-                            name_of(loaded.sampler)));
+  Scene resolved = loaded;
+  resolved.stop = stop;
+  if (const auto conflict = conflict_of_run(resolved))
+    throw Error(ErrorKind::usage, fmt::format("--{}: {}", conflict->key, conflict->what));
   if (target.dry_run && (kept || !stats.empty()))
     fail("--dry-run: renders nothing that --checkpoint, --resume, --shard or --stats could keep");
   return stop;
@@ -120,22 +118,6 @@ void check_writable(const fs::path& file) {
   if (access(folder.c_str(), W_OK) != 0)
     throw Error(ErrorKind::output, Place{file.string()},
                 fmt::format("the folder {} is not writable", folder.string()));
-}
-
-// A film has 28 bytes a pixel and effect, and what a stop rule remembers; render order, pixel list and
-// positions 4 each; the picture 4 a channel, held twice when it is written, and up to three channels an
-// effect or AOV. A denoiser reads the pixels' surface points, and holds 7 floats a pixel of them twice, and 7
-// planes of values.
-void check_memory(const Scene& scene, std::size_t aovs, std::size_t bytes_a_pixel_of_rule) {
-  const PixelRect window = scene.crop.value_or(PixelRect{0, 0, scene.width, scene.height});
-  const std::uint64_t pixels = std::uint64_t(window.width()) * std::uint64_t(window.height());
-  const std::uint64_t bytes_a_pixel_of_denoiser =
-      scene.denoise ? sizeof(SurfacePoint) + 2 * 4 * 7 + 4 * 7 : 0;
-  const std::uint64_t bytes_a_pixel = (28 + bytes_a_pixel_of_rule) * scene.effects.size() + 12 +
-                                      2 * 4 * 3 * (scene.effects.size() + aovs) + bytes_a_pixel_of_denoiser;
-  check_memory(pixels * bytes_a_pixel,
-               fmt::format("a picture of {}x{} pixels", window.width(), window.height()),
-               "render it in pieces with --crop");
 }
 
 }  // namespace nook

@@ -10,6 +10,7 @@
 #include "app/options/checkpoints.hpp"
 #include "app/options/scene_options.hpp"
 #include "app/options/target_options.hpp"
+#include "render/run_checks.hpp"
 
 namespace nook {
 
@@ -40,11 +41,5 @@ void check_extension(const std::filesystem::path& file, std::span<const std::str
 
 /// Throws Error(output) unless a file could be made there: tried before the work, not after it.
 void check_writable(const std::filesystem::path& file);
-
-/// What a stop rule remembers of a pixel and effect, at most: nine planes and a variance.
-inline constexpr std::size_t largest_rule_bytes = 10 * 8;
-
-/// Throws Error(device) if the picture needs more memory than there is. aovs: channels asked for besides.
-void check_memory(const Scene& scene, std::size_t aovs, std::size_t bytes_a_pixel_of_rule);
 
 }  // namespace nook

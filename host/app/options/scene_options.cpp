@@ -10,7 +10,7 @@
 #include "app/options/picture_scene.hpp"
 #include "base/error.hpp"
 #include "base/threads.hpp"
-#include "device/pocl_folder.hpp"
+#include "device/prepare.hpp"
 #include "mesh/load_mesh.hpp"
 #include "plan/plan.hpp"
 #include "scene/effect_keys.hpp"
@@ -32,18 +32,6 @@ std::pair<int, int> parse_size(const std::string& text) {
     throw Error(ErrorKind::usage,
                 fmt::format("--size: '{}' is not WIDTHxHEIGHT with 1 to 65535 pixels each", text));
   return {width, height};
-}
-
-// "with samples", "of type ao, bent or ro": what a scene lacks for a key.
-std::string readers_text(const KeyInfo& key) {
-  if (key.readers == traced_kinds) return "with samples";
-  std::vector<std::string_view> types;
-  for (const auto& [name, kind] : effect_names)
-    if (key.readers.contains(kind)) types.push_back(name);
-  const std::string_view last = types.back();
-  types.pop_back();
-  return types.empty() ? fmt::format("of type {}", last)
-                       : fmt::format("of type {} or {}", fmt::join(types, ", "), last);
 }
 
 // The flags of every command that loads a scene: what decides the samples. How long to take them, and what is
@@ -170,9 +158,10 @@ void DeviceOptions::add_to(CLI::App& command) {
 }
 
 void DeviceOptions::prepare(bool opencl) const {
-  limit_own_threads(threads);
-  limit_device_threads(threads);
-  if (opencl) prepare_for_pocl();
+  if (opencl)
+    prepare_for_opencl(threads);
+  else
+    limit_own_threads(threads);
 }
 
 Device DeviceOptions::open() const {
