@@ -1,0 +1,234 @@
+"""Scenes: what is estimated, of what."""
+
+from __future__ import annotations
+
+import os
+from typing import Any, Callable, Dict, NamedTuple, Optional, Tuple, Union
+
+from . import _core
+from ._arrays import indices, numbers, result, same_rows
+from ._errors import UsageError
+from ._picture import Picture
+from ._settings import lines
+
+Progress = Callable[[int, int, int, float, float], Any]
+
+
+class Estimates(NamedTuple):
+    """Estimates at n points: arrays of n float32, n float32 and n uint32."""
+
+    value: Any
+    """The estimate."""
+    standard_error: Any
+    """Its standard error, widened so that value +- 1.96 of it holds the true value in 95 of 100 cases."""
+    samples: Any
+    """The directions behind it."""
+
+
+class BentEstimates(NamedTuple):
+    """Bent normals at n points."""
+
+    direction: Any
+    """(n, 3) float32: the mean unoccluded direction, unit length; 0 where no direction is open."""
+    half_angle: Any
+    """n float32: of the cone about it, degrees."""
+    value: Any
+    """n float32: ambient occlusion."""
+    standard_error: Any
+    """n float32: of value."""
+    samples: Any
+    """n uint32: the directions behind it."""
+
+
+class Scene:
+    """What is estimated, of what: a scene file, a mesh file, or arrays.
+
+    Scene("room.toml"), Scene("model.obj")
+    Scene(vertices=V, faces=F[, normals=N])
+
+    vertices: (n, 3) numbers, world units. faces: (m, 3) integers, the vertices of each triangle,
+    counter-clockwise seen from the front. normals: (n, 3), of any length; without them surfaces are flat.
+    float64 coordinates far from 0 keep their digits: they are recentred before they are rounded to float32.
+
+    device: as `nook devices` names it ("cpu", "gpu", "0:0", a part of a name); by default NOOK_DEVICE, or
+    any. progress: see render(). Every key of a scene file is a keyword too, with its name and default there,
+    and ground=True or ground={"height": 0}. effects=[{"type": "ao", "name": "contact"}, ...] asks for several.
+
+    The mesh is read at once; OpenCL is loaded by the first estimate. A scene can be pickled: its description
+    is sent, and it is made again. One thread at a time works with a scene, others wait; two scenes work in
+    two threads. Ctrl-C ends an estimate and leaves the scene usable.
+
+    Raises SceneError with file, row and column, UsageError (a ValueError) for arguments, DeviceError.
+    """
+
+    def __init__(
+        self,
+        file: Union[str, "os.PathLike[str]", None] = None,
+        *,
+        vertices: Any = None,
+        faces: Any = None,
+        normals: Any = None,
+        device: Optional[str] = None,
+        **settings: Any,
+    ) -> None:
+        self._workspace: Any = None
+        if (file is None) == (vertices is None):
+            raise UsageError("a scene is made of a file, or of vertices and faces")
+        if file is not None and (faces is not None or normals is not None):
+            raise UsageError("faces and normals go with vertices")
+        if file is None:
+            vertices = numbers("vertices", vertices, ("float64", "float32"))
+            if faces is None:
+                raise UsageError("faces: are missing")
+            faces = indices("faces", faces, vertices.shape[0])
+            if normals is not None:
+                normals = numbers("normals", normals, ("float32",))
+                same_rows("normals", normals, "vertices", vertices.shape[0])
+        self._description: Dict[str, Any] = dict(
+            file=file, vertices=vertices, faces=faces, normals=normals, device=device, **settings
+        )
+        if device is None:
+            device = os.environ.get("NOOK_DEVICE", "")
+        self._workspace = _core.open(file, vertices, faces, normals, lines(settings), device)
+
+    def ao(
+        self, points: Any, normals: Any, *, samples: int = 1024, progress: Optional[Progress] = None, **settings: Any
+    ) -> Estimates:
+        """Ambient occlusion at points: 1 where everything is open, 0 where nothing is.
+
+        A(p, N) = 1/pi int V(p, w) N.w dw over the hemisphere of unit directions w with N.w > 0: V is 1 if a
+        ray from p along w hits nothing within max_distance, else 0; dw is solid angle, so the weight N.w / pi
+        integrates to 1. With falloff, weight, cone_angle and side the integral is another; docs/effects.md has
+        them all, docs/estimators.md the estimators and their variances.
+
+        points: (n, 3), world units, on a surface or anywhere. normals: (n, 3), of any length but 0. samples:
+        directions at each point, 1 to 2^30.
+
+        Returns Estimates: value, standard_error and samples, n each. Standard errors are from 8 to 16
+        randomisations of the point sequence (Owen 1997, "Monte Carlo variance of scrambled net quadrature").
+        The same seed gives the same bits as `nook probe --samples`; a point's random numbers follow from its
+        row.
+
+        progress: called meanwhile as progress(samples, total, rays, error, share_done). Raises UsageError (a
+        ValueError) that names the argument and the first bad row, SceneError, DeviceError.
+        """
+        made, n = self._estimate("ao", points, normals, None, samples, progress, settings)
+        return Estimates(*_common(made, n))
+
+    def ro(
+        self,
+        points: Any,
+        normals: Any,
+        views: Any,
+        *,
+        samples: int = 1024,
+        progress: Optional[Progress] = None,
+        **settings: Any,
+    ) -> Estimates:
+        """Reflection occlusion at points: how much of a Phong lobe about the mirrored view is open.
+
+        R(p, N, v) = (k+1)/(2 pi) int V(p, w) max(0, r.w)^k dw over the directions w with N.w > 0, dw solid
+        angle; r is v mirrored about N, k the exponent (0 to 1e7, default 30); V as for ao(), by default
+        without a distance limit. See docs/effects.md and docs/estimators.md.
+
+        views: (n, 3), from each point towards the viewer, of any length but 0. All else as in ao().
+        """
+        if views is None:
+            raise UsageError("views: RO needs the directions to the viewer")
+        made, n = self._estimate("ro", points, normals, views, samples, progress, settings)
+        return Estimates(*_common(made, n))
+
+    def bent(
+        self, points: Any, normals: Any, *, samples: int = 1024, progress: Optional[Progress] = None, **settings: Any
+    ) -> BentEstimates:
+        """Bent normals at points: the mean unoccluded direction, and a cone about it.
+
+        B(p, N) = int V(p, w) w N.w dw / int V(p, w) N.w dw, dw solid angle, V as for ao(); the direction is
+        B / |B|. The cone about a normal whose open directions have a mean as long as B has the half-angle. See
+        docs/effects.md.
+
+        Returns BentEstimates. All else as in ao().
+        """
+        made, n = self._estimate("bent", points, normals, None, samples, progress, settings)
+        value, standard_error, count = _common(made, n)
+        direction = result(made["direction"], "float32", (n, 3))
+        return BentEstimates(direction, result(made["half_angle"], "float32"), value, standard_error, count)
+
+    def render(
+        self, *, aovs: Tuple[str, ...] = (), progress: Optional[Progress] = None, **settings: Any
+    ) -> Picture:
+        """The scene's picture: every effect that it asks for, as `nook render` makes it, to the same bits.
+
+        Keywords are keys of the scene: spp=16, error=.01, time=10, width=640, type="ro". aovs: more channels:
+        normal, position, depth, variance, samples, alpha.
+
+        Where an error or time target is missed, picture.complete is False. Raises as ao().
+        """
+        if isinstance(aovs, str):
+            aovs = (aovs,)
+        return Picture(_core.render(self._open(), lines(settings), " ".join(aovs), progress))
+
+    def to_toml(self) -> str:
+        """The scene as a scene file, every key that its effects read with its value."""
+        return _core.toml(self._open())
+
+    def close(self) -> None:
+        """Lets go of mesh and device at once; nothing else can be asked of the scene."""
+        self._workspace = None
+
+    def __enter__(self) -> "Scene":
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.close()
+
+    def __reduce__(self) -> Tuple[Any, Tuple[Dict[str, Any]]]:
+        return _made_again, (self._description,)
+
+    def __repr__(self) -> str:
+        file = self._description["file"]
+        return f"<nook.Scene {os.fspath(file) if file is not None else 'of arrays'}>"
+
+    def _open(self) -> Any:
+        if self._workspace is None:
+            raise UsageError("the scene is closed")
+        return self._workspace
+
+    def _estimate(
+        self,
+        kind: str,
+        points: Any,
+        normals: Any,
+        views: Any,
+        samples: int,
+        progress: Optional[Progress],
+        settings: Dict[str, Any],
+    ) -> Tuple[Dict[str, Any], int]:
+        workspace = self._open()
+        points = numbers("points", points)
+        normals = numbers("normals", normals)
+        same_rows("normals", normals, "points", points.shape[0])
+        if views is not None:
+            views = numbers("views", views)
+            same_rows("views", views, "points", points.shape[0])
+        if isinstance(samples, bool) or not hasattr(samples, "__index__"):
+            raise UsageError(f"samples: an integer is needed, not {samples!r}")
+        samples = samples.__index__()
+        if not 1 <= samples <= 1 << 30:
+            raise UsageError(f"samples: {samples} is not from 1 to {1 << 30}")
+        if points.shape[0] == 0:
+            raise UsageError("points: there are no points")
+        made = _core.estimate(workspace, kind, points, normals, views, samples, lines(settings), progress)
+        return made, points.shape[0]
+
+
+def _made_again(description: Dict[str, Any]) -> Scene:
+    return Scene(description.pop("file"), **description)
+
+
+def _common(made: Dict[str, Any], n: int) -> Tuple[Any, Any, Any]:
+    return (
+        result(made["value"], "float32"),
+        result(made["standard_error"], "float32"),
+        result(made["samples"], "uint32"),
+    )
