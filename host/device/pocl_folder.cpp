@@ -111,6 +111,8 @@ std::string reason_of(int error) {
 std::optional<Error> problem;
 fs::path lock_of_this_process;
 pid_t process_of_lock;
+// Says to processes started from here that POCL_CACHE_DIR is not the user's choice but this process's folder.
+constexpr const char* folder_of_nook = "NOOK_POCL_FOLDER";
 
 // A run's own folder in `parent`, which is made if need be. Its errno, or 0.
 int make_folder_in(const fs::path& parent) {
@@ -136,6 +138,7 @@ int make_folder_in(const fs::path& parent) {
     if (getpid() == process_of_lock) remove_folder(lock_of_this_process);
   });
   setenv("POCL_CACHE_DIR", folder.c_str(), 1);
+  setenv(folder_of_nook, folder.c_str(), 1);
   return 0;
 }
 
@@ -190,7 +193,8 @@ void prepare_for_pocl() {
   // One that throws is not done: the next call throws again.
   static const bool done = [] {
     check_what_pocl_needs(threads_to_use());
-    if (const std::string chosen = text_of("POCL_CACHE_DIR"); !chosen.empty())
+    const std::string chosen = text_of("POCL_CACHE_DIR");
+    if (!chosen.empty() && chosen != text_of(folder_of_nook))
       check_chosen(chosen);
     else
       make_folder();

@@ -14,7 +14,7 @@ namespace nook {
 /// short ends the process in a signal. What is worth keeping is in nook's own cache, with checksums
 /// (program_cache.hpp). Where that cannot be written, or programs may not be run from there, the folder is a
 /// private one in TMPDIR, /tmp or /var/tmp. Folders that killed processes left behind are removed. A
-/// POCL_CACHE_DIR of the user's is used as it is.
+/// POCL_CACHE_DIR of the user's is used as it is; that of a process which started this one is not.
 ///
 /// Sets environment variables: call it while no other thread reads them.
 void prepare_for_pocl();

@@ -48,7 +48,10 @@ Object devices() {
   const std::vector<DeviceInfo> found = list_devices();
   return list(found, [](const DeviceInfo& d) {
     Object dict(PyDict_New());
-    set(dict, "selector", text(std::to_string(d.platform_index) + ":" + std::to_string(d.device_index)));
+    set(dict, "selector",
+        text(std::string(std::to_string(d.platform_index))
+                 .append(":")
+                 .append(std::to_string(d.device_index))));
     set(dict, "type", text(d.is_cpu() ? "CPU" : d.type & CL_DEVICE_TYPE_GPU ? "GPU" : "accelerator"));
     set(dict, "name", text(d.name));
     set(dict, "platform", text(d.platform_name));
