@@ -5,6 +5,7 @@
 
 #include "jobs.hpp"
 #include "mesh/load_mesh.hpp"
+#include "plan/scene_ground.hpp"
 #include "plan/scene_mesh.hpp"
 #include "scene/scene_toml.hpp"
 #include "scene/scene_writer.hpp"
@@ -49,7 +50,7 @@ Workspace::Workspace(TriangleMesh mesh, const std::string& settings, std::string
   apply_settings(settings, true, scene_);
   validate(scene_);
   check_samples(scene_, scene_.spp);
-  add_ground(scene_, mesh);
+  if (scene_.ground) add_ground(scene_, mesh);
   make_plan(scene_, mesh);
   bases_.push_back({{.normals = true, .uvs = true, .materials = true, .groups = true, .exponents = true},
                     std::move(mesh),

@@ -90,11 +90,12 @@ def test_a_picture_is_that_of_render(program, folder):
 
 
 def test_a_picture_to_an_error(program, folder):
-    picture = nook.Scene(folder / "pyramid.obj").render(error=0.02, width=40, height=30)
+    file = folder / "error.toml"
+    file.write_text((folder / "scene.toml").read_text().split("[[effect]]")[0].replace("spp = 4", "error = 0.02"))
+    picture = nook.Scene(file).render()
     assert picture.complete
     picture.save(folder / "error.exr")
-    program("render", folder / "pyramid.obj", "-o", folder / "command_error.exr", "--no-png", "--error", ".02",
-            "--size", "40x30")
+    program("render", file, "-o", folder / "command_error.exr", "--no-png")
     program("compare", folder / "command_error.exr", folder / "error.exr", "--fail", "0")
 
 
