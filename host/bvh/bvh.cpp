@@ -62,13 +62,13 @@ Bvh build_some(const TriangleMesh& mesh, std::span<const std::uint32_t> triangle
   return bvh;
 }
 
-// A tree for each part, over those of its triangles that are in `triangles`.
-std::vector<Bvh> build_parts(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles,
-                             const BvhOptions& options) {
+// A tree for each model, over those of its triangles that are in `triangles`.
+std::vector<Bvh> build_models(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles,
+                              const BvhOptions& options) {
   std::vector<Bvh> trees;
-  for (const TriangleMesh::Part& part : mesh.parts) {
-    const auto first = std::lower_bound(triangles.begin(), triangles.end(), part.first_triangle);
-    const auto end = std::lower_bound(first, triangles.end(), part.first_triangle + part.triangles);
+  for (const TriangleMesh::Model& model : mesh.models) {
+    const auto first = std::lower_bound(triangles.begin(), triangles.end(), model.first_triangle);
+    const auto end = std::lower_bound(first, triangles.end(), model.first_triangle + model.triangles);
     trees.push_back(build_some(mesh, {first, end}, options));
   }
   return trees;
@@ -98,14 +98,14 @@ Bvh build_bvh(const TriangleMesh& mesh, const BvhOptions& options) {
     if (mesh.instances.empty()) return build(mesh, options);
     std::vector<std::uint32_t> all(mesh.triangles.size());
     std::iota(all.begin(), all.end(), 0u);
-    return join_trees(mesh, build_parts(mesh, all, options), options);
+    return join_trees(mesh, build_models(mesh, all, options), options);
   });
 }
 
 Bvh build_bvh(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles, const BvhOptions& options) {
   return within_memory(mesh, [&] {
     return mesh.instances.empty() ? build_some(mesh, triangles, options)
-                                  : join_trees(mesh, build_parts(mesh, triangles, options), options);
+                                  : join_trees(mesh, build_models(mesh, triangles, options), options);
   });
 }
 

@@ -23,7 +23,7 @@ using BvhNodes = LargeVector<BvhNode<Width>>;
 
 /// A wide bounding volume hierarchy, flattened into the structs of kernels/shared/bvh.h, ready to upload. Of
 /// a mesh with instances: a tree over them, whose leaves name instances instead of triangles (point i
-/// and point i + 8 are the corners of the i-th box), and in the same arrays a tree for each part.
+/// and point i + 8 are the corners of the i-th box), and in the same arrays a tree for each model.
 struct Bvh {
   /// The first is the root; without triangles it has no children.
   std::variant<BvhNodes<16>, BvhNodes<8>> nodes;

@@ -23,14 +23,15 @@ vec3 finite_position(const PlacedMesh& place, const vec3& p) {
   return placed;
 }
 
-// Appends `part`'s per-triangle values, offset; `missing` for all triangles of a mesh without them if the
+// Appends `model`'s per-triangle values, offset; `missing` for all triangles of a mesh without them if the
 // other has some.
 template <class T, class Offset>
-void append_values(std::vector<T>& whole, std::size_t whole_triangles, const std::vector<T>& part,
-                   std::size_t part_triangles, const T& missing, Offset offset) {
-  if (whole.empty() && part.empty()) return;
+void append_values(std::vector<T>& whole, std::size_t whole_triangles, const std::vector<T>& model,
+                   std::size_t model_triangles, const T& missing, Offset offset) {
+  if (whole.empty() && model.empty()) return;
   if (whole.empty()) whole.assign(whole_triangles, missing);
-  for (std::size_t t = 0; t < part_triangles; ++t) whole.push_back(part.empty() ? missing : offset(part[t]));
+  for (std::size_t t = 0; t < model_triangles; ++t)
+    whole.push_back(model.empty() ? missing : offset(model[t]));
 }
 
 std::array<std::uint32_t, 3> shifted(std::array<std::uint32_t, 3> corners, std::uint32_t offset) {
@@ -39,11 +40,11 @@ std::array<std::uint32_t, 3> shifted(std::array<std::uint32_t, 3> corners, std::
   return corners;
 }
 
-void add_report(TriangleMesh::Report& whole, const TriangleMesh::Report& part) {
-  whole.triangles_read += part.triangles_read;
-  whole.non_finite_dropped += part.non_finite_dropped;
-  whole.normals_replaced += part.normals_replaced;
-  whole.normals_normalised += part.normals_normalised;
+void add_report(TriangleMesh::Report& whole, const TriangleMesh::Report& more) {
+  whole.triangles_read += more.triangles_read;
+  whole.non_finite_dropped += more.non_finite_dropped;
+  whole.normals_replaced += more.normals_replaced;
+  whole.normals_normalised += more.normals_normalised;
 }
 
 }  // namespace
@@ -92,88 +93,88 @@ Bounds3 placed_bounds(const PlacedMesh& place, const Bounds3& box) {
   return placed;
 }
 
-std::uint32_t append_part(TriangleMesh& whole, const TriangleMesh& part, bool mirrored) {
-  if (whole.positions.size() + part.positions.size() >= none ||
-      whole.normals.size() + part.normals.size() >= none)
+std::uint32_t append_model(TriangleMesh& whole, const TriangleMesh& model, bool mirrored) {
+  if (whole.positions.size() + model.positions.size() >= none ||
+      whole.normals.size() + model.normals.size() >= none)
     throw Error(ErrorKind::scene, "the scene's instances have more vertices than 32-bit indices can name");
   const auto first_position = std::uint32_t(whole.positions.size()),
              first_normal = std::uint32_t(whole.normals.size());
   const auto first_material = std::uint32_t(whole.materials.size()),
              first_group = std::uint32_t(whole.groups.size());
-  const std::size_t before = whole.triangles.size(), count = part.triangles.size();
+  const std::size_t before = whole.triangles.size(), count = model.triangles.size();
   const auto oriented = [&](std::array<std::uint32_t, 3> corners) {
     if (mirrored) std::swap(corners[0], corners[2]);  // the edge that corner_order.hpp puts last stays there
     return corners;
   };
-  whole.positions.insert(whole.positions.end(), part.positions.begin(), part.positions.end());
-  whole.normals.insert(whole.normals.end(), part.normals.begin(), part.normals.end());
-  append_values(whole.triangle_normals, before, part.triangle_normals, count, {none, none, none},
+  whole.positions.insert(whole.positions.end(), model.positions.begin(), model.positions.end());
+  whole.normals.insert(whole.normals.end(), model.normals.begin(), model.normals.end());
+  append_values(whole.triangle_normals, before, model.triangle_normals, count, {none, none, none},
                 [&](const auto& corners) { return oriented(shifted(corners, first_normal)); });
-  append_values(whole.triangle_material, before, part.triangle_material, count, none,
+  append_values(whole.triangle_material, before, model.triangle_material, count, none,
                 [&](std::uint32_t m) { return m == none ? none : m + first_material; });
-  append_values(whole.triangle_group, before, part.triangle_group, count, none,
+  append_values(whole.triangle_group, before, model.triangle_group, count, none,
                 [&](std::uint32_t g) { return g + first_group; });
   const auto first_uv = std::uint32_t(whole.uvs.size());
-  append_values(whole.triangle_uvs, before, part.triangle_uvs, count, {none, none, none},
+  append_values(whole.triangle_uvs, before, model.triangle_uvs, count, {none, none, none},
                 [&](const auto& corners) { return oriented(shifted(corners, first_uv)); });
-  whole.uvs.insert(whole.uvs.end(), part.uvs.begin(), part.uvs.end());
-  whole.materials.insert(whole.materials.end(), part.materials.begin(), part.materials.end());
-  if (!whole.group_names.empty() || !part.group_names.empty()) {
+  whole.uvs.insert(whole.uvs.end(), model.uvs.begin(), model.uvs.end());
+  whole.materials.insert(whole.materials.end(), model.materials.begin(), model.materials.end());
+  if (!whole.group_names.empty() || !model.group_names.empty()) {
     whole.group_names.resize(whole.groups.size());
-    whole.group_names.insert(whole.group_names.end(), part.group_names.begin(), part.group_names.end());
-    whole.group_names.resize(whole.groups.size() + part.groups.size());
+    whole.group_names.insert(whole.group_names.end(), model.group_names.begin(), model.group_names.end());
+    whole.group_names.resize(whole.groups.size() + model.groups.size());
   }
-  whole.groups.insert(whole.groups.end(), part.groups.begin(), part.groups.end());
-  TriangleMesh::Part made{std::uint32_t(before),
-                          std::uint32_t(count),
-                          first_position,
-                          std::uint32_t(part.positions.size()),
-                          {},
-                          false};
-  std::vector<bool> used(part.positions.size());
-  for (const auto& triangle : part.triangles) {
+  whole.groups.insert(whole.groups.end(), model.groups.begin(), model.groups.end());
+  TriangleMesh::Model made{std::uint32_t(before),
+                           std::uint32_t(count),
+                           first_position,
+                           std::uint32_t(model.positions.size()),
+                           {},
+                           false};
+  std::vector<bool> used(model.positions.size());
+  for (const auto& triangle : model.triangles) {
     for (const std::uint32_t index : triangle) {
       used[index] = true;
-      made.bounds.add(part.positions[index]);
+      made.bounds.add(model.positions[index]);
     }
     whole.triangles.push_back(oriented(shifted(triangle, first_position)));
   }
   made.all_used = std::find(used.begin(), used.end(), false) == used.end();
-  add_report(whole.report, part.report);
-  whole.parts.push_back(made);
-  return std::uint32_t(whole.parts.size() - 1);
+  add_report(whole.report, model.report);
+  whole.models.push_back(made);
+  return std::uint32_t(whole.models.size() - 1);
 }
 
-void place_part(TriangleMesh& whole, std::uint32_t index, const glm::dmat4& transform) {
-  const TriangleMesh::Part& part = whole.parts[index];
-  if (whole.scene_triangles() + part.triangles >= none && !whole.instances.empty())
+void place_model(TriangleMesh& whole, std::uint32_t index, const glm::dmat4& transform) {
+  const TriangleMesh::Model& model = whole.models[index];
+  if (whole.scene_triangles() + model.triangles >= none && !whole.instances.empty())
     throw Error(ErrorKind::scene, "the scene's instances have more triangles than 32-bit numbers can name");
   TriangleMesh::Instance instance{placed_mesh(transform), index};
   instance.place.first_triangle = whole.instances.empty() ? 0 : std::uint32_t(whole.scene_triangles());
-  instance.place.mesh_triangle = part.first_triangle;
+  instance.place.mesh_triangle = model.first_triangle;
   // Most instances of many lie within the bounds of those before.
-  const Bounds3 about = placed_bounds(instance.place, part.bounds);
+  const Bounds3 about = placed_bounds(instance.place, model.bounds);
   Bounds3 with = whole.bounds;
   with.add(about);
   if (with.lo != whole.bounds.lo || with.hi != whole.bounds.hi || !finite(about.lo) || !finite(about.hi)) {
-    if (part.all_used)
-      for (std::uint32_t i = 0; i < part.positions; ++i)
-        whole.bounds.add(finite_position(instance.place, whole.positions[part.first_position + i]));
+    if (model.all_used)
+      for (std::uint32_t i = 0; i < model.positions; ++i)
+        whole.bounds.add(finite_position(instance.place, whole.positions[model.first_position + i]));
     else
-      for (std::uint32_t t = 0; t < part.triangles; ++t)
-        for (const std::uint32_t i : whole.triangles[part.first_triangle + t])
+      for (std::uint32_t t = 0; t < model.triangles; ++t)
+        for (const std::uint32_t i : whole.triangles[model.first_triangle + t])
           whole.bounds.add(finite_position(instance.place, whole.positions[i]));
   }
   whole.instances.push_back(instance);
 }
 
-void append_instance(TriangleMesh& whole, const TriangleMesh& part, const glm::dmat4& transform) {
-  const TriangleMesh::Part made = whole.parts[append_part(whole, part, mirrors(transform))];
-  whole.parts.clear();
+void append_instance(TriangleMesh& whole, const TriangleMesh& model, const glm::dmat4& transform) {
+  const TriangleMesh::Model made = whole.models[append_model(whole, model, mirrors(transform))];
+  whole.models.clear();
   const PlacedMesh place = placed_mesh(transform);
   for (std::uint32_t i = made.first_position; i < whole.positions.size(); ++i)
     whole.positions[i] = placed_position(place, whole.positions[i]);
-  for (std::size_t i = whole.normals.size() - part.normals.size(); i < whole.normals.size(); ++i)
+  for (std::size_t i = whole.normals.size() - model.normals.size(); i < whole.normals.size(); ++i)
     whole.normals[i] = placed_normal(place, whole.normals[i]);
   for (std::uint32_t t = made.first_triangle; t < whole.triangles.size(); ++t)
     for (const std::uint32_t index : whole.triangles[t]) {
@@ -207,7 +208,7 @@ void append_ground(TriangleMesh& mesh, float height, float reach, Axis up) {
   if (mesh.instances.empty())
     append_instance(mesh, ground, glm::dmat4(1));
   else
-    place_part(mesh, append_part(mesh, ground, false), glm::dmat4(1));
+    place_model(mesh, append_model(mesh, ground, false), glm::dmat4(1));
 }
 
 }  // namespace nook

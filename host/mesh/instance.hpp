@@ -22,20 +22,20 @@ vec3 placed_normal(const PlacedMesh& place, const vec3& n);
 /// exact.
 Bounds3 placed_bounds(const PlacedMesh& place, const Bounds3& box);
 
-/// Appends a copy of `part`, its positions and normals placed by `transform`. A transform that mirrors turns
-/// the triangles' winding round, so that they face the same way as their normals. A part without vertex
+/// Appends a copy of `model`, its positions and normals placed by `transform`. A transform that mirrors turns
+/// the triangles' winding round, so that they face the same way as their normals. A model without vertex
 /// normals shades with geometric normals in the whole as well. Of texture coordinates, materials and groups
-/// each part has its own, or none (index 0xffffffff). Throws Error(scene) if positions or indices leave their
-/// range.
-void append_instance(TriangleMesh& whole, const TriangleMesh& part, const glm::dmat4& transform);
+/// each model has its own, or none (index 0xffffffff). Throws Error(scene) if positions or indices leave
+/// their range.
+void append_instance(TriangleMesh& whole, const TriangleMesh& model, const glm::dmat4& transform);
 
-/// Appends `part` as it is to a mesh that is made of parts alone, wound the other way round if it is
-/// `mirrored`; it is nowhere yet. Returns its index in TriangleMesh::parts. Throws as append_instance().
-std::uint32_t append_part(TriangleMesh& whole, const TriangleMesh& part, bool mirrored);
+/// Appends `model` as it is to a mesh that is made of models alone, wound the other way round if it is
+/// `mirrored`; it is nowhere yet. Returns its index in TriangleMesh::models. Throws as append_instance().
+std::uint32_t append_model(TriangleMesh& whole, const TriangleMesh& model, bool mirrored);
 
-/// Places a part that was appended with mirrors(transform). What it stands for is append_instance() of the
-/// part, to the bit. Throws Error(scene) if positions or the number of triangles leave their range.
-void place_part(TriangleMesh& whole, std::uint32_t part, const glm::dmat4& transform);
+/// Places a model that was appended with mirrors(transform). What it stands for is append_instance() of the
+/// model, to the bit. Throws Error(scene) if positions or the number of triangles leave their range.
+void place_model(TriangleMesh& whole, std::uint32_t model, const glm::dmat4& transform);
 
 /// Adds the ground: a square at `height` along the axis of `up` (world units) that reaches `reach` to all
 /// sides of the mesh's center, facing `up`. It belongs to neither a material nor, if there are groups, any

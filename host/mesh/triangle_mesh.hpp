@@ -50,7 +50,7 @@ struct MeshAttributes {
 
 /// Indexed triangles, shared by rays and SSAO.
 ///
-/// With `instances`, `triangles` holds each distinct mesh once, in coordinates of its own (a part), and the
+/// With `instances`, `triangles` holds each distinct mesh once, in coordinates of its own (a model), and the
 /// scene is its instances; without, the triangles lie in the world. Bounds are of the world in any case.
 ///
 /// Invariants after loading: every index is in range; positions of every triangle are finite; `normals` are
@@ -73,8 +73,9 @@ struct TriangleMesh {
   /// The names by which a group's faces are known besides its own: a and b of "g a b". As long as `groups`,
   /// or empty.
   std::vector<std::vector<std::string>> group_names;
-  /// A mesh that is placed: a range of `triangles`, and of `positions` those that they use.
-  struct Part {
+  /// A mesh that is placed, perhaps many times: a range of `triangles`, and of `positions` those that they
+  /// use.
+  struct Model {
     std::uint32_t first_triangle = 0, triangles = 0;
     std::uint32_t first_position = 0, positions = 0;
     Bounds3 bounds;         ///< of the positions that its triangles use, its own coordinates
@@ -82,9 +83,9 @@ struct TriangleMesh {
   };
   struct Instance {    // NOLINT(cppcoreguidelines-pro-type-member-init): PlacedMesh is a struct of C
     PlacedMesh place;  ///< root and meshes are set by the tree's builder
-    std::uint32_t part = 0;
+    std::uint32_t model = 0;
   };
-  std::vector<Part> parts;
+  std::vector<Model> models;
   std::vector<Instance> instances;
   std::vector<OpacityMap> opacity_maps;  ///< each once, if the scene asks for cut-outs
   Bounds3 bounds;                        ///< of the positions that triangles use
@@ -115,7 +116,7 @@ struct TriangleMesh {
   std::uint64_t scene_triangles() const {
     if (instances.empty()) return triangles.size();
     const Instance& last = instances.back();
-    return std::uint64_t(last.place.first_triangle) + parts[last.part].triangles;
+    return std::uint64_t(last.place.first_triangle) + models[last.model].triangles;
   }
   bool has_normals() const { return !triangle_normals.empty(); }
 };

@@ -121,18 +121,18 @@ CoarseSurvey survey_of(const TriangleMesh& mesh, const std::optional<dvec3>& eye
         [&](const CoarseSurvey& piece) { whole.add(piece); });
     return whole;
   }
-  std::vector<CoarseSurvey> of_part(mesh.parts.size());
-  for (std::size_t p = 0; p < mesh.parts.size(); ++p)
-    for (std::uint32_t i = 0; i < mesh.parts[p].triangles; ++i) {
-      const std::size_t number = mesh.parts[p].first_triangle + i;
-      of_part[p].look_at(number, corners_of(mesh, number), {});
+  std::vector<CoarseSurvey> of_model(mesh.models.size());
+  for (std::size_t p = 0; p < mesh.models.size(); ++p)
+    for (std::uint32_t i = 0; i < mesh.models[p].triangles; ++i) {
+      const std::size_t number = mesh.models[p].first_triangle + i;
+      of_model[p].look_at(number, corners_of(mesh, number), {});
     }
   for (const TriangleMesh::Instance& instance : mesh.instances)
-    for (const CoarseTriangle& own : of_part[instance.part].coarsest) {
+    for (const CoarseTriangle& own : of_model[instance.model].coarsest) {
       Corners p;
       for (std::size_t k = 0; k < 3; ++k) p[k] = placed_position(instance.place, vec3(own.corner[k]));
       const std::uint64_t number =
-          instance.place.first_triangle + own.number - mesh.parts[instance.part].first_triangle;
+          instance.place.first_triangle + own.number - mesh.models[instance.model].first_triangle;
       whole.look_at(number, p, eye);
     }
   whole.narrow = 0;

@@ -61,7 +61,7 @@ void add_passes(const Plan& plan, const TriangleMesh& mesh, PlanReport& report) 
                                  ? fmt::format("over {}, {} in all, and one for each of {}, {}",
                                                counted(mesh.instances.size(), "instance"),
                                                counted(mesh.scene_triangles(), "triangle"),
-                                               counted(mesh.parts.size(), "mesh", "meshes"),
+                                               counted(mesh.models.size(), "mesh", "meshes"),
                                                counted(mesh.triangles.size(), "triangle"))
                                  : fmt::format("over {}", counted(mesh.triangles.size(), "triangle")),
                              0});

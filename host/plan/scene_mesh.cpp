@@ -97,8 +97,8 @@ TriangleMesh place_files(const Scene& scene, Files files, bool as_trees) {
         continue;
       }
       const auto [part, fresh] = parts.try_emplace({instance.mesh_file, mirrors(transform)});
-      if (fresh) part->second = append_part(whole, mesh, mirrors(transform));
-      place_part(whole, part->second, transform);
+      if (fresh) part->second = append_model(whole, mesh, mirrors(transform));
+      place_model(whole, part->second, transform);
     } catch (const Error& e) {
       throw Error(e.kind(), Place{scene.file.string()}, e.what());
     }

@@ -16,13 +16,13 @@ SubjectPoints::SubjectPoints(const TriangleMesh& mesh) : mesh_(mesh) {
     return;
   }
   std::vector<std::size_t> first{0};
-  for (const TriangleMesh::Part& part : mesh.parts) {
-    add_blocks(part.first_triangle, part.triangles);
+  for (const TriangleMesh::Model& model : mesh.models) {
+    add_blocks(model.first_triangle, model.triangles);
     first.push_back(blocks_.size());
   }
   for (std::size_t i = 0; i + (on_ground ? 1 : 0) < mesh.instances.size(); ++i) {
     const TriangleMesh::Instance& instance = mesh.instances[i];
-    groups_.push_back({first[instance.part], first[instance.part + 1], &instance.place});
+    groups_.push_back({first[instance.model], first[instance.model + 1], &instance.place});
   }
 }
 

@@ -137,12 +137,12 @@ class Mover {
       return;
     }
     for (const TriangleMesh::Instance& instance : mesh_.instances) {
-      const TriangleMesh::Part& part = mesh_.parts[instance.part];
-      const Bounds3 about = placed_bounds(instance.place, part.bounds);
+      const TriangleMesh::Model& model = mesh_.models[instance.model];
+      const Bounds3 about = placed_bounds(instance.place, model.bounds);
       const double slack = 4 * half_ulp * std::max(largest(dvec3(about.lo)), largest(dvec3(about.hi)));
       if (grid_.misses(dvec3(about.lo) - slack, dvec3(about.hi) + slack)) continue;
-      for (std::uint32_t t = 0; t < part.triangles; ++t)
-        meet(part.first_triangle + t, [&](const vec3& p) { return placed_position(instance.place, p); });
+      for (std::uint32_t t = 0; t < model.triangles; ++t)
+        meet(model.first_triangle + t, [&](const vec3& p) { return placed_position(instance.place, p); });
     }
   }
 

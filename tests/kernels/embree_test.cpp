@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "ray_probe.hpp"
+#include "ray_tester.hpp"
 #include "support/meshes.hpp"
 #include "support/oracle.hpp"
 #include "support/statistics.hpp"
@@ -15,8 +15,8 @@
 namespace nook::test {
 namespace {
 
-using testing::RayProbe;
 using testing::RayStream;
+using testing::RayTester;
 
 // A bumpy torus of 2 x 160 x 320 triangles: slivers, concave parts, shared edges everywhere.
 TriangleMesh bumpy_torus() {
@@ -86,12 +86,12 @@ TEST(Embree, OcclusionBitsAgreeOrAreTooCloseToCall) {
   const float infinity = std::numeric_limits<float>::infinity();
   std::size_t per_case = (long_mode() ? 80'000'000 : 10'000'000) / 32 / 8, rays = 0, different[2] = {};
   for (const TriangleMesh& mesh : {bumpy_torus(), courtyard()}) {
-    RayProbe probe(mesh);
+    RayTester tester(mesh);
     OracleTracer embree = embree_robust(mesh);
     for (bool aimed : {false, true})
       for (float limit : {infinity, 0.7f}) {
         std::vector<RayStream> streams = streams_about(mesh, per_case, aimed, test_seed(61) + aimed);
-        std::vector<std::uint32_t> bits = probe.occluded(streams, limit);
+        std::vector<std::uint32_t> bits = tester.occluded(streams, limit);
         for (std::size_t i = 0; i < streams.size(); ++i)
           for (int k = 0; k < 32; ++k) {
             dvec3 o(streams[i].origin), d(streams[i].direction[std::size_t(k)]);

@@ -38,7 +38,7 @@ TEST(Frame, IsOrthonormalRightHandedAndInvertible) {
   std::vector<vec3> normals = normals_to_try(), vectors = normals;
   std::rotate(vectors.begin(), vectors.begin() + 17, vectors.end());
   std::vector<vec3> out(5 * normals.size());
-  TestProgram program(test_kernel_source("probe_frame.cl"), BuildOptions());
+  TestProgram program(test_kernel_source("test_frame.cl"), BuildOptions());
   program.run("frame_at", normals.size(), normals, vectors, InOut<vec3>{out});
   double worst = 0;
   for (std::size_t i = 0; i < normals.size(); ++i) {

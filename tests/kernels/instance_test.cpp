@@ -39,7 +39,7 @@ TEST(PlacedMeshes, HostAndDevicePlaceAlike) {
   }
   normals[0] = {0, 0, 0};
   std::vector<vec3> placed(points.size()), placed_normals(points.size());
-  TestProgram program(test_kernel_source("probe_instance.cl"), BuildOptions().define("INSTANCES", 1));
+  TestProgram program(test_kernel_source("test_instance.cl"), BuildOptions().define("INSTANCES", 1));
   program.run("place", points.size(), places, points, normals, InOut<vec3>{placed},
               InOut<vec3>{placed_normals});
   std::size_t different = 0;

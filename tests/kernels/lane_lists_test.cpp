@@ -19,7 +19,7 @@ class LaneLists : public ::testing::TestWithParam<Path> {};
 
 TEST_P(LaneLists, AreTheMasksLanesInOrder) {
   const Path& path = GetParam();
-  const std::string source = test_kernel_source("probe_lanes.cl");
+  const std::string source = test_kernel_source("test_lanes.cl");
   const TestProgram program(
       path.avx512 ? source : without_avx512(source),
       BuildOptions().define("TRAVERSAL_PORTABLE", path.portable).define("BVH_WIDTH", path.width));

@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "ray_probe.hpp"
+#include "ray_tester.hpp"
 #include "support/meshes.hpp"
 
 namespace nook::testing {
@@ -22,7 +22,7 @@ TriangleMesh star(unsigned n) {
 
 enum class Aim { edge, vertex };
 
-std::uint64_t leaks(RayProbe& probe, const TriangleMesh& mesh, Aim aim, std::uint64_t rays) {
+std::uint64_t leaks(RayTester& tester, const TriangleMesh& mesh, Aim aim, std::uint64_t rays) {
   std::mt19937 random(17);
   std::uniform_real_distribution<float> uniform(0, 1), inside(-0.15f, 0.15f);
   std::uint64_t leaked = 0;
@@ -37,7 +37,7 @@ std::uint64_t leaks(RayProbe& probe, const TriangleMesh& mesh, Aim aim, std::uin
         d = glm::normalize(a + f * (b - a) - stream.origin);
       }
     }
-    for (const std::uint32_t bits : probe.occluded(streams, std::numeric_limits<float>::infinity()))
+    for (const std::uint32_t bits : tester.occluded(streams, std::numeric_limits<float>::infinity()))
       leaked += 32 - unsigned(__builtin_popcount(bits));
   }
   return leaked;
@@ -48,9 +48,9 @@ TEST(Leaks, NoneThroughTheEdgesAndVerticesOfAStar) {
   const std::uint64_t rays = asked ? std::strtoull(asked, nullptr, 10) : 1'000'000;
   const TriangleMesh mesh = star(40);
   for (const TraversalVariant& variant : traversal_variants()) {
-    RayProbe probe(mesh, variant);
-    EXPECT_EQ(leaks(probe, mesh, Aim::edge, rays / 2), 0u) << variant << ", edges";
-    EXPECT_EQ(leaks(probe, mesh, Aim::vertex, rays / 2), 0u) << variant << ", vertices";
+    RayTester tester(mesh, variant);
+    EXPECT_EQ(leaks(tester, mesh, Aim::edge, rays / 2), 0u) << variant << ", edges";
+    EXPECT_EQ(leaks(tester, mesh, Aim::vertex, rays / 2), 0u) << variant << ", vertices";
   }
 }
 

@@ -10,7 +10,7 @@
 #include <random>
 
 #include "mesh/corner_order.hpp"
-#include "ray_probe.hpp"
+#include "ray_tester.hpp"
 #include "support/exact.hpp"
 #include "support/meshes.hpp"
 #include "support/oracle.hpp"
@@ -157,9 +157,9 @@ struct Count {
 TEST(Proportions, OcclusionAndOrderAreThoseOfExactArithmetic) {
   const char* asked = std::getenv("NOOK_NET_RAYS");
   const double rays = asked ? std::atof(asked) : 20'000;
-  std::vector<RayProbe> probes;
+  std::vector<RayTester> testers;
   const std::vector<TraversalVariant> variants = traversal_variants();
-  for (const TraversalVariant& variant : variants) probes.emplace_back(test::closed_box(1), variant);
+  for (const TraversalVariant& variant : variants) testers.emplace_back(test::closed_box(1), variant);
   std::vector<Count> counts(decades + 1);
   Random random(7);
   std::uint64_t traced = 0;
@@ -178,12 +178,12 @@ TEST(Proportions, OcclusionAndOrderAreThoseOfExactArithmetic) {
       std::vector<std::uint32_t> bits;
       std::vector<ClosestHit> hits;
       for (std::size_t v = 0; v < variants.size(); ++v) {
-        probes[v].take(mesh);
-        const auto answers = probes[v].occluded(streams, limit);
+        testers[v].take(mesh);
+        const auto answers = testers[v].occluded(streams, limit);
         if (bits.empty()) bits = answers;
         EXPECT_EQ(bits, answers) << variants[v];
-        EXPECT_EQ(bits, probes[v].occluded_own_origins(streams, limit)) << variants[v];
-        const auto found = probes[v].closest(streams, limit);
+        EXPECT_EQ(bits, testers[v].occluded_own_origins(streams, limit)) << variants[v];
+        const auto found = testers[v].closest(streams, limit);
         if (hits.empty()) hits = found;
         for (std::size_t i = 0; i < hits.size(); ++i) {
           ASSERT_EQ(hits[i].triangle, found[i].triangle) << variants[v];
@@ -231,9 +231,9 @@ TEST(Proportions, OcclusionAndOrderAreThoseOfExactArithmetic) {
 // Shells of every size about one another, turned at random: from inside, no ray gets out of the one about it,
 // aimed at its edges and vertices or at those of others.
 TEST(Proportions, NestedShellsLetNoRayOut) {
-  std::vector<RayProbe> probes;
+  std::vector<RayTester> testers;
   const std::vector<TraversalVariant> variants = traversal_variants();
-  for (const TraversalVariant& variant : variants) probes.emplace_back(test::closed_box(1), variant);
+  for (const TraversalVariant& variant : variants) testers.emplace_back(test::closed_box(1), variant);
   Random random(11);
   for (int round = 0; round < 6; ++round) {
     TriangleMesh mesh;
@@ -258,9 +258,9 @@ TEST(Proportions, NestedShellsLetNoRayOut) {
       }
     }
     for (std::size_t v = 0; v < variants.size(); ++v) {
-      probes[v].take(mesh);
+      testers[v].take(mesh);
       std::uint64_t out = 0;
-      for (const std::uint32_t bits : probes[v].occluded(streams, infinity))
+      for (const std::uint32_t bits : testers[v].occluded(streams, infinity))
         out += 32 - unsigned(__builtin_popcount(bits));
       EXPECT_EQ(out, 0u) << variants[v];
     }

@@ -36,7 +36,7 @@ bool same_bits(const vec2& a, const vec2& b) {
 TEST(Sampler, DeviceAndHostDrawTheSameBits) {
   const std::uint32_t pixels = 300;
   for (const auto& [sampler, name] : all_samplers) {
-    TestProgram program(test_kernel_source("probe_sampler.cl"),
+    TestProgram program(test_kernel_source("test_sampler.cl"),
                         BuildOptions().define("SAMPLER", long(sampler)));
     for (auto [samples, directions] : {std::pair{1u, 1u}, {1u, 64u}, {16u, 1u}, {4u, 8u}, {3u, 5u}, {7u, 1u}})
       for (auto [seed, first_pixel] : {std::pair{0u, 0u}, {0xfeedfaceu, 479700u}}) {

@@ -1,4 +1,4 @@
-// Fields of the structs that host and kernels share, for probe_layout.cl and shared_layout_test.cpp: STRUCT(type), then its
+// Fields of the structs that host and kernels share, for test_layout.cl and shared_layout_test.cpp: STRUCT(type), then its
 // FIELD(type, name)s.
 #define SHARED_LAYOUT(STRUCT, FIELD)                                                                                       \
   STRUCT(NodeOfKernel) FIELD(NodeOfKernel, lo) FIELD(NodeOfKernel, hi) FIELD(NodeOfKernel, nodes)                          \

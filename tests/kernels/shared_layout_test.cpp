@@ -53,7 +53,7 @@ template <unsigned width>
 void expect_the_same() {
   const std::vector<Place> host = places_on_host<width>();
   const std::vector<std::uint32_t> device =
-      places_on_device(width, with_fields(test_kernel_source("probe_layout.cl")));
+      places_on_device(width, with_fields(test_kernel_source("test_layout.cl")));
   ASSERT_EQ(device[0], host.size());
   for (std::size_t i = 0; i < host.size(); ++i) EXPECT_EQ(device[i + 1], host[i].bytes) << host[i].name;
 }
@@ -64,7 +64,7 @@ TEST(SharedLayout, IsTheDevicesOwn) {
 }
 
 TEST(SharedLayout, AStructThatHidesPaddingIsFound) {
-  std::string source = with_fields(test_kernel_source("probe_layout.cl"));
+  std::string source = with_fields(test_kernel_source("test_layout.cl"));
   const std::string field = "float tan_half_fov_x;";
   source.replace(source.find(field), field.size(), "double tan_half_fov_x;");
   const std::vector<std::uint32_t> device = places_on_device(16, source);

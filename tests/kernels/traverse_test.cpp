@@ -8,7 +8,7 @@
 
 #include "bvh/triangle_pairs.hpp"
 #include "mesh/corner_order.hpp"
-#include "ray_probe.hpp"
+#include "ray_tester.hpp"
 #include "support/meshes.hpp"
 
 namespace nook::testing {
@@ -152,11 +152,11 @@ std::vector<Case> cases() {
 TEST(Traverse, OcclusionMatchesBruteForce) {
   for (const Case& c : cases())
     for (const TraversalVariant& variant : traversal_variants()) {
-      RayProbe probe(c.mesh, variant);
+      RayTester tester(c.mesh, variant);
       for (const float limit : {infinity, 0.3f}) {
         std::vector<RayStream> streams = random_streams(40, 11, 1.2f);
         for (const RayStream& s : axis_parallel_streams(20, 12)) streams.push_back(s);
-        const auto bits = probe.occluded(streams, limit);
+        const auto bits = tester.occluded(streams, limit);
         unsigned wrong = 0, decided = 0;
         for (std::size_t i = 0; i < streams.size(); ++i)
           for (int k = 0; k < 32; ++k) {
@@ -179,9 +179,9 @@ TEST(Traverse, OcclusionMatchesBruteForce) {
 TEST(Traverse, ClosestMatchesBruteForce) {
   for (const Case& c : cases())
     for (const TraversalVariant& variant : traversal_variants()) {
-      RayProbe probe(c.mesh, variant);
+      RayTester tester(c.mesh, variant);
       const std::vector<RayStream> streams = random_streams(40, 21, 1.2f);
-      const auto hits = probe.closest(streams, infinity);
+      const auto hits = tester.closest(streams, infinity);
       for (std::size_t i = 0; i < streams.size(); ++i)
         for (int k = 0; k < 32; ++k) {
           double nearest = infinity, doubtful = infinity;
@@ -214,11 +214,11 @@ TEST(Traverse, VariantsAgreeToTheBit) {
     for (const float limit : {infinity, 0.3f}) {
       std::vector<std::uint32_t> first;
       for (const TraversalVariant& variant : traversal_variants()) {
-        RayProbe probe(c.mesh, variant);
-        const auto bits = probe.occluded(streams, limit);
+        RayTester tester(c.mesh, variant);
+        const auto bits = tester.occluded(streams, limit);
         if (first.empty()) first = bits;
         EXPECT_EQ(first, bits) << c.name << ", " << variant << ", limit " << limit;
-        EXPECT_EQ(first, probe.occluded_own_origins(streams, limit))
+        EXPECT_EQ(first, tester.occluded_own_origins(streams, limit))
             << c.name << ", " << variant << ", own origins";
       }
     }
@@ -233,8 +233,8 @@ TEST(Traverse, ClosestHitsAgreeToTheBit) {
     for (const float limit : {infinity, 0.3f}) {
       std::vector<ClosestHit> first;
       for (const TraversalVariant& variant : traversal_variants()) {
-        RayProbe probe(c.mesh, variant);
-        const auto hits = probe.closest(streams, limit);
+        RayTester tester(c.mesh, variant);
+        const auto hits = tester.closest(streams, limit);
         if (first.empty()) first = hits;
         std::size_t different = 0;
         for (std::size_t i = 0; i < hits.size(); ++i) {
@@ -266,7 +266,7 @@ TEST(Traverse, PairsChangeNoBit) {
   std::vector<RayStream> streams = narrow_streams(1000, 36);
   for (const RayStream& s : random_streams(500, 37, 1.2f)) streams.push_back(s);
   for (const TraversalVariant& variant : traversal_variants()) {
-    RayProbe whole(mesh, variant), first(half[0], variant), second(half[1], variant);
+    RayTester whole(mesh, variant), first(half[0], variant), second(half[1], variant);
     auto bits = first.occluded(streams, 0.8f);
     const auto others = second.occluded(streams, 0.8f);
     for (std::size_t i = 0; i < bits.size(); ++i) bits[i] |= others[i];
@@ -297,7 +297,7 @@ TEST(Traverse, OfEquallyNearTrianglesTheLowestIsMet) {
   for (const RayStream& s : random_streams(200, 37, 0.5f)) streams.push_back(s);
   for (const TraversalVariant& variant : traversal_variants()) {
     unsigned first = 0, second = 0;
-    for (const ClosestHit& hit : RayProbe(mesh, variant).closest(streams, infinity))
+    for (const ClosestHit& hit : RayTester(mesh, variant).closest(streams, infinity))
       if (hit.triangle != 0xffffffffu) ++(hit.triangle < once ? first : second);
     EXPECT_GT(first, 6400u) << variant;
     EXPECT_EQ(second, 0u) << variant;
@@ -306,7 +306,7 @@ TEST(Traverse, OfEquallyNearTrianglesTheLowestIsMet) {
 
 /// From inside a closed mesh every ray must meet it: those aimed at edges and vertices are the ones that
 /// leak.
-std::uint64_t leaks(RayProbe& probe, const TriangleMesh& mesh, bool vertices, unsigned seed) {
+std::uint64_t leaks(RayTester& tester, const TriangleMesh& mesh, bool vertices, unsigned seed) {
   Random random(seed);
   std::vector<RayStream> streams(20000);
   for (RayStream& s : streams) {
@@ -318,7 +318,7 @@ std::uint64_t leaks(RayProbe& probe, const TriangleMesh& mesh, bool vertices, un
     }
   }
   std::uint64_t result = 0;
-  for (const std::uint32_t bits : probe.occluded(streams, infinity))
+  for (const std::uint32_t bits : tester.occluded(streams, infinity))
     result += 32 - unsigned(__builtin_popcount(bits));
   return result;
 }
@@ -326,9 +326,9 @@ std::uint64_t leaks(RayProbe& probe, const TriangleMesh& mesh, bool vertices, un
 TEST(Traverse, NoRayLeaksThroughEdgesOrVertices) {
   for (const auto& [name, mesh] : {Case{"sphere", sphere({0, 0, 0}, 1, 40)}, Case{"box", closed_box(10)}})
     for (const TraversalVariant& variant : traversal_variants()) {
-      RayProbe probe(mesh, variant);
-      EXPECT_EQ(leaks(probe, mesh, false, 41), 0u) << name << " edges, " << variant;
-      EXPECT_EQ(leaks(probe, mesh, true, 42), 0u) << name << " vertices, " << variant;
+      RayTester tester(mesh, variant);
+      EXPECT_EQ(leaks(tester, mesh, false, 41), 0u) << name << " edges, " << variant;
+      EXPECT_EQ(leaks(tester, mesh, true, 42), 0u) << name << " vertices, " << variant;
     }
 }
 
@@ -338,7 +338,7 @@ TEST(Traverse, NoRayMeetsTheSurfaceItLeaves) {
   for (const float scale : {1e-6f, 1e-3f, 1.0f, 1e3f, 1e6f})
     for (const vec3& center : {vec3(0, 0, 0), vec3(30, -7, 11)}) {
       const TriangleMesh mesh = sphere(scale * center, scale, 12);
-      RayProbe probe(mesh);
+      RayTester tester(mesh);
       Random random(61);
       std::vector<SurfaceSample> samples(2000);
       std::vector<RayStream> streams(samples.size());
@@ -357,10 +357,10 @@ TEST(Traverse, NoRayMeetsTheSurfaceItLeaves) {
           if (glm::dot(d, s.normal) * s.side < 0) d = -d;
         }
       }
-      const std::vector<vec3> origins = probe.offset_origins(samples);
+      const std::vector<vec3> origins = tester.offset_origins(samples);
       for (std::size_t i = 0; i < origins.size(); ++i) streams[i].origin = origins[i];
       unsigned hits = 0;
-      for (const std::uint32_t bits : probe.occluded(streams, infinity))
+      for (const std::uint32_t bits : tester.occluded(streams, infinity))
         hits += unsigned(__builtin_popcount(bits));
       EXPECT_EQ(hits, 0u) << "of 64000 rays, scale " << scale << ", centre at " << glm::length(center)
                           << " radii";
@@ -378,10 +378,10 @@ TEST(Traverse, NothingMeetsAnEmptyOrDegenerateMesh) {
   add_triangle(points, {0, 0, 0}, {0, 0, 0}, {1, 1, 1});
   for (const TriangleMesh& mesh : {TriangleMesh(), points})
     for (const TraversalVariant& variant : traversal_variants()) {
-      RayProbe probe(mesh, variant);
-      for (const std::uint32_t bits : probe.occluded(random_streams(100, 51, 2), infinity))
+      RayTester tester(mesh, variant);
+      for (const std::uint32_t bits : tester.occluded(random_streams(100, 51, 2), infinity))
         ASSERT_EQ(bits, 0u) << variant;
-      for (const ClosestHit& hit : probe.closest(random_streams(100, 51, 2), infinity))
+      for (const ClosestHit& hit : tester.closest(random_streams(100, 51, 2), infinity))
         ASSERT_EQ(hit.triangle, 0xffffffffu) << variant;
     }
 }

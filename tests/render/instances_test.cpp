@@ -73,8 +73,8 @@ Both scene_of(const std::vector<TriangleMesh>& meshes, const std::vector<glm::dm
     const std::size_t of = i % meshes.size();
     append_instance(both.copies, meshes[of], transforms[i]);
     const auto [part, fresh] = parts.try_emplace({of, mirrors(transforms[i])});
-    if (fresh) part->second = append_part(both.trees, meshes[of], mirrors(transforms[i]));
-    place_part(both.trees, part->second, transforms[i]);
+    if (fresh) part->second = append_model(both.trees, meshes[of], mirrors(transforms[i]));
+    place_model(both.trees, part->second, transforms[i]);
   }
   for (TriangleMesh* mesh : {&both.copies, &both.trees}) {
     if (ground) append_ground(*mesh, mesh->bounds.lo.y, 30);
@@ -180,7 +180,7 @@ TEST(Instances, HaveTheBitsOfCopiesInEveryEffect) {
   EXPECT_EQ(both.copies.bounds.lo, both.trees.bounds.lo);
   EXPECT_EQ(both.copies.bounds.hi, both.trees.bounds.hi);
   EXPECT_EQ(both.trees.scene_triangles(), both.copies.triangles.size());
-  EXPECT_EQ(both.trees.parts.size(), 5u);  // two meshes, both mirrored too, and the ground
+  EXPECT_EQ(both.trees.models.size(), 5u);  // two meshes, both mirrored too, and the ground
   const Scene scene = view(many_effects());
   const Traced oracle = trace(scene, both.copies, Traversal::stream);
   EXPECT_GT(hits(oracle), 1000u);
@@ -268,8 +268,8 @@ TEST(Instances, CostTheirPlacesAlone) {
     places.push_back(
         transform({place(random), place(random), place(random)}, place(random), {1, 2, 3}, dvec3(1)));
   TriangleMesh trees;
-  const std::uint32_t part = append_part(trees, mesh, false);
-  for (const glm::dmat4& m : places) place_part(trees, part, m);
+  const std::uint32_t part = append_model(trees, mesh, false);
+  for (const glm::dmat4& m : places) place_model(trees, part, m);
   EXPECT_EQ(trees.positions.size(), mesh.positions.size());
   EXPECT_EQ(trees.scene_triangles(), 1000 * mesh.triangles.size());
   const std::size_t one = build_bvh(mesh).bytes(), all = build_bvh(trees).bytes();

@@ -9,7 +9,7 @@
 
 namespace nook::test {
 
-/// Shapes of tests/kernels/probe_estimators.cl; `size` means what its comments say.
+/// Shapes of tests/kernels/test_estimators.cl; `size` means what its comments say.
 enum class Shape { open, wall, ceiling_disk, ceiling_square, sphere, box, leaning_plane, corner };
 
 /// AO of a receiver at the origin with normal +z, and the variance of one sample.

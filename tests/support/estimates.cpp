@@ -32,7 +32,7 @@ Estimator::Estimator(const EstimatorSetup& setup, const std::string& source)
     : program_(source, options_for(setup)) {}
 
 std::string Estimator::source() {
-  return test_kernel_source("probe_estimators.cl");
+  return test_kernel_source("test_estimators.cl");
 }
 
 std::vector<float> Estimator::samples(const EstimatedScene& scene, std::uint32_t pixels,

@@ -9,7 +9,7 @@
 
 namespace nook::test {
 
-/// How an estimate is made: the product's estimators on tests/kernels/probe_estimators.cl.
+/// How an estimate is made: the product's estimators on tests/kernels/test_estimators.cl.
 struct EstimatorSetup {
   EffectKind effect = EffectKind::ao;
   Sampling sampling = Sampling::cosine;

@@ -191,10 +191,10 @@ TEST(ProportionsWarning, NamesTheGroundAndInstancesByTheirPlaces) {
   TriangleMesh placed;
   Scene scene = scene_of(limit_of(1));
   scene.instances.emplace_back();
-  const std::uint32_t part = append_part(placed, with_bounds(box()), false);
-  place_part(placed, part, glm::dmat4(1));
+  const std::uint32_t model = append_model(placed, with_bounds(box()), false);
+  place_model(placed, model, glm::dmat4(1));
   EXPECT_EQ(proportions_warning(scene, placed, false), "");
-  place_part(placed, part, glm::dmat4(1e8 * tilted));
+  place_model(placed, model, glm::dmat4(1e8 * tilted));
   expect_says(proportions_warning(scene, placed, false), "scene.toml: triangle ", "the max_distance of ao");
 }
 

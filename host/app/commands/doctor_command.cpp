@@ -61,9 +61,9 @@ bool check_cache() {
                "export NOOK_CACHE_DIR=/tmp/nook-cache");
   std::error_code code;
   std::filesystem::create_directories(dir, code);
-  const std::filesystem::path probe = dir / fmt::format("doctor.{}.tmp", getpid());
-  const bool writable = !code && bool(std::ofstream(probe) << "x" << std::flush);
-  std::filesystem::remove(probe, code);
+  const std::filesystem::path trial = dir / fmt::format("doctor.{}.tmp", getpid());
+  const bool writable = !code && bool(std::ofstream(trial) << "x" << std::flush);
+  std::filesystem::remove(trial, code);
   return say(writable,
              fmt::format("the kernel cache {} is {}", dir.string(),
                          writable ? "writable" : "not writable: every run compiles"),

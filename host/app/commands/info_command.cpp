@@ -58,7 +58,7 @@ int print_info(const SceneOptions& options) {
   fmt::print("triangles         {}\n", mesh.scene_triangles());
   if (!mesh.instances.empty())
     fmt::print("instances         {} of {}, which have {}\n", mesh.instances.size(),
-               counted(mesh.parts.size(), "mesh", "meshes"), counted(mesh.triangles.size(), "triangle"));
+               counted(mesh.models.size(), "mesh", "meshes"), counted(mesh.triangles.size(), "triangle"));
   fmt::print("positions         {}\n", mesh.positions.size());
   fmt::print("groups, materials {}, {}\n", mesh.groups.size(), mesh.materials.size());
   fmt::print("bounds            ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})\n", lo.x, lo.y, lo.z, hi.x, hi.y,

@@ -40,9 +40,9 @@ struct TraversalVariant {
 std::ostream& operator<<(std::ostream& out, const TraversalVariant& variant);
 
 /// A mesh on the device, and the traversal's queries as kernels.
-class RayProbe {
+class RayTester {
  public:
-  RayProbe(const TriangleMesh& mesh, const TraversalVariant& variant = {});
+  RayTester(const TriangleMesh& mesh, const TraversalVariant& variant = {});
   /// Another mesh for the same kernels.
   void take(const TriangleMesh& mesh);
 

@@ -1,4 +1,4 @@
-#include "ray_probe.hpp"
+#include "ray_tester.hpp"
 
 #include "device/kernel_source.hpp"
 #include "support/kernels.hpp"
@@ -22,21 +22,21 @@ void load_stream(__global const float* stream, RayDirections* origins, RayDirect
   }
 }
 
-__kernel void probe_occluded(BVH_PARAMS, __global const float* streams, float max_distance, __global uint* bits) {
+__kernel void test_occluded(BVH_PARAMS, __global const float* streams, float max_distance, __global uint* bits) {
   const uint i = get_global_id(0);
   RayDirections o, d;
   load_stream(streams + 99 * i, &o, &d);
   bits[i] = occluded_from(BVH_ARGS, ray_direction(&o, 0), &d, 0xffffffffu, max_distance);
 }
 
-__kernel void probe_occluded_own(BVH_PARAMS, __global const float* streams, float max_distance, __global uint* bits) {
+__kernel void test_occluded_own(BVH_PARAMS, __global const float* streams, float max_distance, __global uint* bits) {
   const uint i = get_global_id(0);
   RayDirections o, d;
   load_stream(streams + 99 * i, &o, &d);
   bits[i] = occluded_rays(BVH_ARGS, &o, &d, 0xffffffffu, max_distance);
 }
 
-__kernel void probe_closest(BVH_PARAMS, __global const float* streams, float limit, __global float* hits) {
+__kernel void test_closest(BVH_PARAMS, __global const float* streams, float limit, __global float* hits) {
   const uint i = get_global_id(0);
   RayDirections o, d;
   load_stream(streams + 99 * i, &o, &d);
@@ -58,7 +58,7 @@ Vector load_vector(__global const float* p) {
   return v;
 }
 
-__kernel void probe_offset(BVH_PARAMS, __global const float* samples, float unused, __global float* origins) {
+__kernel void test_offset(BVH_PARAMS, __global const float* samples, float unused, __global float* origins) {
   __global const float* s = samples + 15 * get_global_id(0);
   Vector o;
   offset_origin(load_vector(s), load_vector(s + 3), load_vector(s + 6), s[12], s[13], load_vector(s + 9), s[14], load_vector(s),
@@ -94,7 +94,7 @@ void run(const Device& device, const ClKernel& kernel, const Bvh& bvh, const std
 }
 
 std::string source_of(const TraversalVariant& variant) {
-  const std::string text = flatten_kernel("ray_probe", source);
+  const std::string text = flatten_kernel("ray_tester", source);
   return variant.avx512 ? text : test::without_avx512(text);
 }
 
@@ -108,43 +108,43 @@ std::ostream& operator<<(std::ostream& out, const TraversalVariant& variant) {
   return out << variant.name;
 }
 
-void RayProbe::take(const TriangleMesh& mesh) {
+void RayTester::take(const TriangleMesh& mesh) {
   bvh_ = tree_of(mesh, width_);
 }
 
-RayProbe::RayProbe(const TriangleMesh& mesh, const TraversalVariant& variant)
+RayTester::RayTester(const TriangleMesh& mesh, const TraversalVariant& variant)
     : width_(variant.width),
       bvh_(tree_of(mesh, variant.width)),
       device_(test::device()),
       program_(build_program(device_, source_of(variant),
                              BuildOptions(variant.options).define("BVH_WIDTH", variant.width))) {}
 
-std::vector<std::uint32_t> RayProbe::bits(const char* kernel, const std::vector<RayStream>& streams,
-                                          float max_distance) {
+std::vector<std::uint32_t> RayTester::bits(const char* kernel, const std::vector<RayStream>& streams,
+                                           float max_distance) {
   std::vector<std::uint32_t> result(streams.size());
   run(device_, program_.kernel(kernel), bvh_, streams, max_distance, result.data(), result.size() * 4);
   return result;
 }
 
-std::vector<std::uint32_t> RayProbe::occluded(const std::vector<RayStream>& streams, float max_distance) {
-  return bits("probe_occluded", streams, max_distance);
+std::vector<std::uint32_t> RayTester::occluded(const std::vector<RayStream>& streams, float max_distance) {
+  return bits("test_occluded", streams, max_distance);
 }
 
-std::vector<std::uint32_t> RayProbe::occluded_own_origins(const std::vector<RayStream>& streams,
-                                                          float max_distance) {
-  return bits("probe_occluded_own", streams, max_distance);
+std::vector<std::uint32_t> RayTester::occluded_own_origins(const std::vector<RayStream>& streams,
+                                                           float max_distance) {
+  return bits("test_occluded_own", streams, max_distance);
 }
 
-std::vector<vec3> RayProbe::offset_origins(const std::vector<SurfaceSample>& samples) {
+std::vector<vec3> RayTester::offset_origins(const std::vector<SurfaceSample>& samples) {
   std::vector<vec3> result(samples.size());
-  run(device_, program_.kernel("probe_offset"), bvh_, samples, 0.0f, result.data(),
+  run(device_, program_.kernel("test_offset"), bvh_, samples, 0.0f, result.data(),
       result.size() * sizeof(vec3));
   return result;
 }
 
-std::vector<ClosestHit> RayProbe::closest(const std::vector<RayStream>& streams, float limit) {
+std::vector<ClosestHit> RayTester::closest(const std::vector<RayStream>& streams, float limit) {
   std::vector<ClosestHit> result(streams.size() * 32);
-  run(device_, program_.kernel("probe_closest"), bvh_, streams, limit, result.data(),
+  run(device_, program_.kernel("test_closest"), bvh_, streams, limit, result.data(),
       result.size() * sizeof(ClosestHit));
   return result;
 }

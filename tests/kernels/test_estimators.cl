@@ -43,7 +43,7 @@ float visible(uint shape, float4 s, float3 o, float3 w, float limit) {
   return hit ? 0.0f : 1.0f;
 }
 
-// Work-item i is one direction, as in probe_sampler.cl; values[i] = weight * visibility. `axes` are the receiver's x, y and z
+// Work-item i is one direction, as in test_sampler.cl; values[i] = weight * visibility. `axes` are the receiver's x, y and z
 // (its normal) in world coordinates, `view` and the shape are given in those axes. The receiver moves with the camera
 // sample by up to half of `footprint` along its x and y.
 __kernel void estimate(EstimatorParams p, __global const float* axes, __global const float* view, uint shape, float4 size,
