@@ -47,5 +47,6 @@ cd "$folder"
   printf 'v %s\n' '-3 0 -3' '3 0 -3' '3 0 3' '-3 0 3' '-1 0 -1' '1 0 -1' '1 0 1' '-1 0 1' '0 1.5 0'
   printf 'f %s\n' '1 4 3' '1 3 2' '5 9 6' '6 9 7' '7 9 8' '8 9 5'
 } >pyramid.obj
-"$build/bin/nook" render pyramid.obj --size 320x240 --spp 64 --quiet -o program.exr
+printf '%s\n' '[input]' 'objfile = "pyramid.obj"' '[camera]' 'frame = true' '[renderer]' 'type = "ao"' 'spp = 64' >pyramid.toml
+"$build/bin/nook" render pyramid.toml --size 320x240 --quiet -o program.exr
 "$build/bin/nook" compare pyramid.exr program.exr --fail 0 --hard-fail 0
