@@ -65,6 +65,7 @@ class Runs {
 
 }  // namespace
 
+// NOLINTNEXTLINE(performance-unnecessary-value-param): callers move what they have
 SampleBoxes unite(SampleBoxes boxes, std::optional<SampleBox>* overlap) {
   Runs runs;
   std::vector<Interval> joined;

@@ -44,7 +44,7 @@ class SubjectPoints {
 
  private:
   struct Block {
-    std::uint32_t first, end;  // triangles
+    std::uint32_t first = 0, end = 0;  // triangles
     Bounds3 bounds;
   };
   // Blocks of a mesh that is placed; all of one that is not.

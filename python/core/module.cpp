@@ -235,6 +235,6 @@ PyModuleDef module = {
 }  // namespace
 }  // namespace nook::python
 
-PyMODINIT_FUNC PyInit__core() {
+PyMODINIT_FUNC PyInit__core() {  // NOLINT(bugprone-reserved-identifier): Python asks for it
   return PyModule_Create(&nook::python::module);
 }
