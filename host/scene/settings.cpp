@@ -93,8 +93,10 @@ void apply_settings(const std::string& lines, bool of_mesh, Scene& scene) try {
   TomlTable given(no_file, "a scene", &root);
   choose_effects(given, scene);
   // A camera's place is given to who wants that instead of a view that frames the mesh.
-  if (!given.has("frame") && (given.has("eye") || given.has("at") || given.has("up")))
-    scene.automatic_camera = false;
+  if (!given.has("frame") && (given.has("eye") || given.has("at"))) scene.automatic_camera = false;
+  const toml::node* frame = given.find("frame");
+  if (frame && given.has("view") && frame->as_boolean() && !**frame->as_boolean())
+    refuse("view", "frames the mesh: frame = false goes with eye and at");
   read_keys(given, camera_keys(), scene);
   check_use(given, camera_keys(), scene);
   read_keys(given, film_keys(), scene);

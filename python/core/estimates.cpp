@@ -97,7 +97,7 @@ Picture render(Workspace& workspace, const std::string& settings, const std::vec
   PictureRun run(renderer, std::move(request));
   const std::uint64_t before = renderer.plan().effects.empty() ? 0 : renderer.tracer().counters().rejected;
   run.take(observer);
-  Picture made{run.image(), layers_of(renderer.plan()), run.complete()};
+  Picture made{run.image(), scene.background, layers_of(renderer.plan()), run.complete()};
   if (!renderer.plan().effects.empty()) warn_of_rejected(before, renderer.tracer(), observer);
   if (renderer.plan().needs_opencl()) renderer.tracer().store_programs();
   return made;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "image/image.hpp"
+#include "math/background.hpp"
 #include "render/observer.hpp"
 #include "workspace.hpp"
 
@@ -36,6 +37,7 @@ struct Layer {
 
 struct Picture {
   Image image;
+  Background background;  ///< of its PNG
   std::vector<Layer> layers;
   bool complete = true;  ///< no stop rule was left unsatisfied
 };

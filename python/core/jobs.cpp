@@ -1,11 +1,14 @@
 #include "jobs.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <charconv>
 #include <chrono>
 #include <condition_variable>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <memory>
 #include <mutex>
@@ -85,6 +88,18 @@ void start(std::shared_ptr<Job> job, std::function<void(RunObserver&)> work) {
   }).detach();
 }
 
+// NOOK_THREADS; 0, for all, if it is not set.
+unsigned threads_of_environment() {
+  const char* text = std::getenv("NOOK_THREADS");
+  if (!text || !*text) return 0;
+  unsigned threads = 0;
+  const char* end = text + std::strlen(text);
+  const auto read = std::from_chars(text, end, threads);
+  if (read.ec != std::errc() || read.ptr != end)
+    throw Error(ErrorKind::usage, fmt::format("NOOK_THREADS: '{}' is not a number of threads", text));
+  return threads;
+}
+
 void call(PyObject* progress, const RunProgress& now) {
   Object(PyObject_CallFunction(progress, "KKKdd", static_cast<unsigned long long>(now.samples),
                                static_cast<unsigned long long>(now.total),
@@ -120,9 +135,8 @@ void check_fork() {
 
 void use_device() {
   check_fork();
-  if (process_of_opencl.exchange(getpid()) != 0) return;
-  const char* threads = std::getenv("NOOK_THREADS");
-  prepare_for_opencl(threads ? unsigned(std::strtoul(threads, nullptr, 10)) : 0);
+  const unsigned threads = threads_of_environment();
+  if (process_of_opencl.exchange(getpid()) == 0) prepare_for_opencl(threads);
 }
 
 void run_job(PyObject* progress, std::function<void(RunObserver&)> work) {

@@ -1,7 +1,9 @@
 // nook._core: the front door of libnook for the package nook, which checks shapes and types before it calls.
+#include <cctype>
 #include <filesystem>
 #include <memory>
 
+#include "base/error.hpp"
 #include "errors.hpp"
 #include "estimates.hpp"
 #include "image/exr.hpp"
@@ -47,7 +49,7 @@ struct Held {
 template <>
 const char* Held<Workspace>::name = "nook.workspace";
 template <>
-const char* Held<Image>::name = "nook.image";
+const char* Held<Picture>::name = "nook.picture";
 
 template <class... Places>
 void parse(PyObject* arguments, const char* format, Places... places) {
@@ -155,7 +157,7 @@ Object result_of(Picture made) {
   set(dict, "layers", list(made.layers, [](const Layer& layer) {
         return tuple(text(layer.name), list(layer.channels, text));
       }));
-  set(dict, "image", Held<Image>::hold(std::make_shared<Image>(std::move(made.image))));
+  set(dict, "picture", Held<Picture>::hold(std::make_shared<Picture>(std::move(made))));
   return dict;
 }
 
@@ -190,19 +192,23 @@ PyObject* render_picture(PyObject*, PyObject* arguments) {
   });
 }
 
-// save(image, file)
+// save(picture, file)
 PyObject* save(PyObject*, PyObject* arguments) {
   return guarded([&] {
     PyObject *capsule, *file;
     parse(arguments, "OO", &capsule, &file);
-    const std::shared_ptr<Image> image = Held<Image>::of(capsule);
+    const std::shared_ptr<Picture> picture = Held<Picture>::of(capsule);
     const std::filesystem::path path = path_of(file);
+    std::string extension = path.extension().string();
+    for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
+    if (!extension.empty() && extension != ".png" && extension != ".exr")
+      throw Error(ErrorKind::usage, Place{path.string()}, "not a format that is written here (.exr, .png)");
     {
       const WithoutGil others_run;
-      if (path.extension() == ".png")
-        write_png(path, *image);
+      if (extension == ".png")
+        write_png(path, picture->image, picture->background);
       else
-        write_exr(path, *image);
+        write_exr(path, picture->image);
     }
     return Object(Py_NewRef(Py_None));
   });

@@ -19,7 +19,7 @@ class Picture(Mapping[str, Any]):
     """
 
     def __init__(self, made: Dict[str, Any]) -> None:
-        self._image = made["image"]
+        self._picture = made["picture"]
         self.width: int = made["width"]
         self.height: int = made["height"]
         self.complete: bool = made["complete"]
@@ -57,8 +57,9 @@ class Picture(Mapping[str, Any]):
 
     def save(self, file: Union[str, "os.PathLike[str]"]) -> None:
         """Writes the picture: an .exr file with every channel, or a .png of R, G, B, clamped to 0 to 1 and sRGB
-        encoded. It appears under its name when it is complete. Raises OutputError."""
-        _core.save(self._image, file)
+        encoded, over the scene's background or with alpha. It appears under its name when it is complete. Raises
+        OutputError, and UsageError for other extensions."""
+        _core.save(self._picture, file)
 
     def __repr__(self) -> str:
         return f"<nook.Picture {self.width}x{self.height}: {', '.join(self._layers)}>"
@@ -68,6 +69,6 @@ class Picture(Mapping[str, Any]):
 
         with tempfile.TemporaryDirectory() as folder:
             file = os.path.join(folder, "picture.png")
-            _core.save(self._image, file)
+            _core.save(self._picture, file)
             with open(file, "rb") as png:
                 return png.read()

@@ -188,6 +188,14 @@ def test_importing_loads_no_opencl_and_no_numpy():
     assert "libOpenCL" not in maps and "_core" in maps
 
 
+def test_a_wrong_number_of_threads_is_told(folder):
+    code = "import nook\ntry: nook.devices()\nexcept nook.UsageError as error: print(error)"
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, env={**os.environ, "NOOK_THREADS": "two"}
+    )
+    assert done.stdout == "NOOK_THREADS: 'two' is not a number of threads\n", done.stderr
+
+
 def test_processes_started_from_here_have_folders_of_their_own(scene, program, folder):
     one_point(scene)  # sets POCL_CACHE_DIR for this process and, as it seems, for those that it starts
     code = "import nook, ctypes; nook.devices(); g = ctypes.CDLL(None).getenv; g.restype = ctypes.c_char_p; " \

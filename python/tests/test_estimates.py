@@ -89,6 +89,20 @@ def test_a_picture_is_that_of_render(program, folder):
     assert wider["normal"].shape == (30, 60, 3) and wider["depth"].shape == (30, 60)
 
 
+def test_a_framed_picture_and_its_png(program, folder):
+    mesh, command = folder / "pyramid.obj", folder / "framed.exr"
+    program("render", mesh, "-o", command, "--size", "40x30", "--up", "z", "--view", "left", "--ground", "none", "--png")
+    scene = nook.Scene(mesh, up=[0, 0, 1], view="left", max_distance="none", side="viewer", background="transparent")
+    picture = scene.render(width=40, height=30)
+    picture.save(folder / "framed_here.exr")
+    program("compare", command, folder / "framed_here.exr", "--fail", "0")
+    picture.save(folder / "framed_here.png")
+    assert (folder / "framed_here.png").read_bytes() == command.with_suffix(".png").read_bytes()
+    with pytest.raises(nook.UsageError, match="framed.jpg: not a format"):
+        picture.save(folder / "framed.jpg")
+    assert not (folder / "framed.jpg").exists()
+
+
 def test_a_picture_to_an_error(program, folder):
     file = folder / "error.toml"
     file.write_text((folder / "scene.toml").read_text().split("[[effect]]")[0].replace("spp = 4", "error = 0.02"))

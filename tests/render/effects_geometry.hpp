@@ -32,6 +32,22 @@ inline Film estimate_at_origin(const TriangleMesh& mesh, const Effect& effect,
   return tracer.estimate_points({&point, 1}, 0, directions);
 }
 
+/// The films of a scene's effects, all of its samples.
+inline std::vector<Film> films_of(const Scene& scene, const TriangleMesh& mesh) {
+  const Plan plan = make_plan(scene, mesh);
+  const Bvh bvh = build_bvh(mesh);
+  OcclusionTracer tracer(device(), plan, mesh, bvh);
+  std::vector<Film> films = tracer.make_films();
+  tracer.accumulate(pixels_in_order(plan.window, plan.width), {0, scene.spp}, films);
+  return films;
+}
+
+inline double mean_of(const Film& film) {
+  double mean = 0;
+  for (std::size_t i = 0; i < film.pixels(); ++i) mean += film.value(i) / double(film.pixels());
+  return mean;
+}
+
 /// AO of what lies within `distance`.
 inline Effect ao_within(float distance) {
   Effect effect;

@@ -6,6 +6,7 @@
 #include "hard_case.hpp"
 #include "support/closed_forms.hpp"
 #include "support/meshes.hpp"
+#include "support/turned.hpp"
 
 namespace nook::test {
 namespace {
@@ -13,19 +14,6 @@ namespace {
 using glm::dmat3;
 
 const dmat3 upright(1);
-
-// About an axis of no symmetry.
-const dmat3 turned = [] {
-  const dvec3 axis = glm::normalize(dvec3(0.3, -0.4, 0.2));
-  const double c = std::cos(1.1), s = std::sin(1.1);
-  dmat3 m;
-  for (int i = 0; i < 3; ++i) {
-    dvec3 e(0);
-    e[i] = 1;
-    m[i] = c * e + s * glm::cross(axis, e) + (1 - c) * glm::dot(axis, e) * axis;
-  }
-  return m;
-}();
 
 void add_turned_quad(TriangleMesh& mesh, const dmat3& turn, const dvec3& a, const dvec3& b, const dvec3& c,
                      const dvec3& d) {

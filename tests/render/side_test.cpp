@@ -12,6 +12,17 @@ namespace {
 
 constexpr double c = 0.5;  // h = 1, R = 2
 
+// AO on the normal's side, and on the viewer's.
+Scene of_both_sides(const Camera& camera) {
+  Scene scene;
+  scene.camera = camera;
+  scene.width = scene.height = 8;
+  scene.spp = 64;
+  scene.effects = {ao_within(2), ao_within(2)};
+  scene.effects[1].side = Side::viewer;
+  return scene;
+}
+
 // A slab of thickness 1 under the receiver: looking inside is looking at a ceiling; the outside is open.
 TEST(Side, InsideLooksTheOtherWay) {
   TriangleMesh slab = plane_at(0);
@@ -34,14 +45,8 @@ TEST(Side, InsideOfASlabUnderTheCamera) {
   scene.spp = 64;
   scene.effects = {ao_within(2)};
   scene.effects[0].side = Side::inside;
-  const Plan plan = make_plan(scene, slab);
-  const Bvh bvh = build_bvh(slab);
-  OcclusionTracer tracer(device(), plan, slab, bvh);
-  std::vector<Film> films = tracer.make_films();
-  tracer.accumulate(pixels_in_order(plan.window, plan.width), {0, scene.spp}, films);
-  double mean = 0;
-  for (std::size_t i = 0; i < films[0].pixels(); ++i) mean += films[0].value(i) / double(films[0].pixels());
-  EXPECT_NEAR(mean, c * c, 4 * std::sqrt(0.1875 / (256 * 64)));
+  const std::vector<Film> films = films_of(scene, slab);
+  EXPECT_NEAR(mean_of(films[0]), c * c, 4 * std::sqrt(0.1875 / (256 * 64)));
 }
 
 // A plane with its normal upwards, a ceiling above it, the camera below: the normal's side is half hidden,
@@ -49,23 +54,10 @@ TEST(Side, InsideOfASlabUnderTheCamera) {
 TEST(Side, ViewersSide) {
   TriangleMesh mesh = plane_at(0);
   add_quad(mesh, {-1000, -1000, 1}, {2000, 0, 0}, {0, 2000, 0});
-  Scene scene;
-  scene.camera = {{0.3f, 0.4f, -5}, {0, 0, 0}, {0, 1, 0}, 40};
-  scene.width = scene.height = 8;
-  scene.spp = 64;
-  scene.effects = {ao_within(2), ao_within(2)};
-  scene.effects[1].side = Side::viewer;
-  const Plan plan = make_plan(scene, mesh);
-  const Bvh bvh = build_bvh(mesh);
-  OcclusionTracer tracer(device(), plan, mesh, bvh);
-  std::vector<Film> films = tracer.make_films();
-  tracer.accumulate(pixels_in_order(plan.window, plan.width), {0, scene.spp}, films);
-  double mean = 0;
-  for (std::size_t i = 0; i < films[0].pixels(); ++i) {
-    mean += films[0].value(i) / double(films[0].pixels());
-    EXPECT_EQ(films[1].value(i), 1);
-  }
-  EXPECT_NEAR(mean, c * c, 4 * std::sqrt(0.1875 / (64 * 64)));
+  const Scene scene = of_both_sides({{0.3f, 0.4f, -5}, {0, 0, 0}, {0, 1, 0}, 40});
+  const std::vector<Film> films = films_of(scene, mesh);
+  for (std::size_t i = 0; i < films[1].pixels(); ++i) EXPECT_EQ(films[1].value(i), 1);
+  EXPECT_NEAR(mean_of(films[0]), c * c, 4 * std::sqrt(0.1875 / (64 * 64)));
 }
 
 // A plane that is seen at a grazing angle, with vertex normals that lean away from the eye: it is seen from
@@ -77,17 +69,8 @@ TEST(Side, ViewersSideIsTheTrianglesNotTheShadingNormals) {
   add_quad(mesh, {-1000, -1000, 1}, {2000, 0, 0}, {0, 2000, 0});
   mesh.triangle_normals.resize(mesh.triangles.size(),
                                {TriangleMesh::no_normal, TriangleMesh::no_normal, TriangleMesh::no_normal});
-  Scene scene;
-  scene.camera = {{-3, 0, 0.5f}, {0, 0, 0}, {0, 0, 1}, 10};
-  scene.width = scene.height = 8;
-  scene.spp = 64;
-  scene.effects = {ao_within(2), ao_within(2)};
-  scene.effects[1].side = Side::viewer;
-  const Plan plan = make_plan(scene, mesh);
-  const Bvh bvh = build_bvh(mesh);
-  OcclusionTracer tracer(device(), plan, mesh, bvh);
-  std::vector<Film> films = tracer.make_films();
-  tracer.accumulate(pixels_in_order(plan.window, plan.width), {0, scene.spp}, films);
+  const Scene scene = of_both_sides({{-3, 0, 0.5f}, {0, 0, 0}, {0, 0, 1}, 10});
+  const std::vector<Film> films = films_of(scene, mesh);
   EXPECT_EQ(films[0].hits, std::vector<std::uint32_t>(64, scene.spp));
   EXPECT_EQ(films[1].sum, films[0].sum);
   EXPECT_GT(films[0].value(0), 0);

@@ -10,24 +10,13 @@
 #include "mesh/instance.hpp"
 #include "points/points.hpp"
 #include "support/meshes.hpp"
+#include "support/turned.hpp"
 
 namespace nook {
 namespace {
 
 using glm::dmat3;
 
-// About an axis of no symmetry.
-const dmat3 tilted = [] {
-  const dvec3 axis = glm::normalize(dvec3(0.3, -0.4, 0.2));
-  const double c = std::cos(1.1), s = std::sin(1.1);
-  dmat3 m;
-  for (int i = 0; i < 3; ++i) {
-    dvec3 e(0);
-    e[i] = 1;
-    m[i] = c * e + s * glm::cross(axis, e) + (1 - c) * glm::dot(axis, e) * axis;
-  }
-  return m;
-}();
 const dmat3 upright(1);
 
 Scene scene_of(DistanceLimit limit, EffectKind kind = EffectKind::ao) {
@@ -102,9 +91,9 @@ void expect_says(const std::string& warning, const std::string& start, const std
 TEST(ProportionsWarning, NamesALimitThatTiltedTrianglesAreTooCoarseFor) {
   const Scene scene = scene_of(limit_of(2));
   for (const double extent : {1e3, 1e4, 1e5})
-    EXPECT_EQ(proportions_warning(scene, ceiling(tilted, extent), false), "") << extent;
+    EXPECT_EQ(proportions_warning(scene, ceiling(test::turned, extent), false), "") << extent;
   for (const double extent : {1e6, 1e8, 1e12})
-    expect_says(proportions_warning(scene, ceiling(tilted, extent), false), "mesh.obj: triangle ",
+    expect_says(proportions_warning(scene, ceiling(test::turned, extent), false), "mesh.obj: triangle ",
                 "times as large as the max_distance of ao (2): its corners are too coarse as floats");
   for (const double extent : {1e3, 1e6, 1e9})
     EXPECT_EQ(proportions_warning(scene, ceiling(upright, extent), false), "") << extent;
@@ -118,7 +107,7 @@ TEST(ProportionsWarning, NamesTheRatio) {
 }
 
 TEST(ProportionsWarning, KnowsThatNothingIsWrongWithoutAnEffectOrWithALimitOfNothing) {
-  const TriangleMesh mesh = ceiling(tilted, 1e8);
+  const TriangleMesh mesh = ceiling(test::turned, 1e8);
   EXPECT_EQ(proportions_warning(scene_of(limit_of(2), EffectKind::normal), mesh, true), "");
   EXPECT_EQ(proportions_warning(scene_of(limit_of(0)), mesh, false), "");
 }
@@ -127,8 +116,8 @@ TEST(ProportionsWarning, NamesWallsThatAreAMillionTimesAsLongAsWide) {
   for (const EffectKind kind : {EffectKind::ao, EffectKind::ro}) {
     const Scene scene = scene_of(unlimited, kind);
     EXPECT_EQ(proportions_warning(scene, corridor(upright, 9e5), false), "");
-    EXPECT_EQ(proportions_warning(scene, corridor(tilted, 5e4), false), "");
-    for (const dmat3& turn : {upright, tilted})
+    EXPECT_EQ(proportions_warning(scene, corridor(test::turned, 5e4), false), "");
+    for (const dmat3& turn : {upright, test::turned})
       expect_says(proportions_warning(scene, corridor(turn, 2e6), false), "mesh.obj: triangle ",
                   "times as large as it is wide (");
   }
@@ -140,18 +129,18 @@ TEST(ProportionsWarning, NamesWallsThatAreAMillionTimesAsLongAsWide) {
 
 TEST(ProportionsWarning, NamesTheFloorOfAThingThatIsSmallerThanItsRounding) {
   const Scene scene = scene_of(unlimited);
-  EXPECT_EQ(proportions_warning(scene, on_floor(box(), tilted, 5e4), false), "");
+  EXPECT_EQ(proportions_warning(scene, on_floor(box(), test::turned, 5e4), false), "");
   EXPECT_EQ(proportions_warning(scene, on_floor(box(), upright, 1e9), false), "");
-  expect_says(proportions_warning(scene, on_floor(box(), tilted, 2e7), false), "mesh.obj: triangle 1",
+  expect_says(proportions_warning(scene, on_floor(box(), test::turned, 2e7), false), "mesh.obj: triangle 1",
               "times as large as the small triangles beside it");
   // The same of many pieces.
   TriangleMesh mesh = box();
-  for (vec3& p : mesh.positions) p = vec3(tilted * dvec3(p));
+  for (vec3& p : mesh.positions) p = vec3(test::turned * dvec3(p));
   const double side = 2e7;
   for (int i = -5; i < 5; ++i)
     for (int k = -5; k < 5; ++k) {
       const auto corner = [&](double x, double z) {
-        return vec3(tilted * dvec3((i + x) * side, -1, (k + z) * side));
+        return vec3(test::turned * dvec3((i + x) * side, -1, (k + z) * side));
       };
       test::add_quad(mesh, corner(-0.3, -0.3), corner(-0.3, 0.7), corner(0.7, 0.7), corner(0.7, -0.3));
     }
@@ -160,18 +149,18 @@ TEST(ProportionsWarning, NamesTheFloorOfAThingThatIsSmallerThanItsRounding) {
 
 TEST(ProportionsWarning, NamesTheEyeOfAViewerOnly) {
   Scene scene = scene_of(unlimited);
-  scene.camera.eye = tilted * dvec3(0, 0.5, 0);
-  const TriangleMesh mesh = ceiling(tilted, 1e7);
+  scene.camera.eye = test::turned * dvec3(0, 0.5, 0);
+  const TriangleMesh mesh = ceiling(test::turned, 1e7);
   expect_says(proportions_warning(scene, mesh, true), "mesh.obj: triangle ", "the distance of the eye");
   EXPECT_EQ(proportions_warning(scene, mesh, false), "");
-  EXPECT_EQ(proportions_warning(scene, ceiling(tilted, 1e4), true), "");
+  EXPECT_EQ(proportions_warning(scene, ceiling(test::turned, 1e4), true), "");
   scene.camera.eye = {0, 0.5, 0};
   EXPECT_EQ(proportions_warning(scene, ceiling(upright, 1e7), true), "");
 }
 
 TEST(ProportionsWarning, SaysNothingOfUsualGrounds) {
   for (const unsigned n : {8u, 64u, 200u})
-    for (const dmat3& turn : {upright, tilted})
+    for (const dmat3& turn : {upright, test::turned})
       for (const DistanceLimit limit : {unlimited, limit_of(0.1f), DistanceLimit()}) {
         Scene scene = scene_of(limit);
         scene.camera.eye = turn * dvec3(0, 1, 4);
@@ -194,7 +183,7 @@ TEST(ProportionsWarning, NamesTheGroundAndInstancesByTheirPlaces) {
   const std::uint32_t model = append_model(placed, with_bounds(box()), false);
   place_model(placed, model, glm::dmat4(1));
   EXPECT_EQ(proportions_warning(scene, placed, false), "");
-  place_model(placed, model, glm::dmat4(1e8 * tilted));
+  place_model(placed, model, glm::dmat4(1e8 * test::turned));
   expect_says(proportions_warning(scene, placed, false), "scene.toml: triangle ", "the max_distance of ao");
 }
 

@@ -26,6 +26,18 @@ TEST(Settings, SetKeysOfEveryTable) {
   EXPECT_FALSE(with("eye = [1, 2, 3]\n").automatic_camera);
 }
 
+// Of a camera that frames the mesh, up is the mesh's: it stays one.
+TEST(Settings, AViewAndWhatIsUpLeaveTheCameraFraming) {
+  const Scene scene = with("up = \"z\"\nview = \"left\"\nmargin = 0.2\n");
+  EXPECT_TRUE(scene.automatic_camera);
+  EXPECT_EQ(scene.camera.up, vec3(0, 0, 1));
+  EXPECT_EQ(scene.view.azimuth, with("view = \"-90,0\"\n").view.azimuth);
+  EXPECT_EQ(scene.margin, 0.2f);
+  Scene placed = with("eye = [1, 2, 3]\n");
+  apply_settings("view = \"top\"\n", false, placed);
+  EXPECT_TRUE(placed.automatic_camera);
+}
+
 TEST(Settings, ChooseEffects) {
   EXPECT_EQ(with("type = \"ro\"\nexponent = 7\n").effects.front().exponent, 7);
   EXPECT_EQ(with("realtime = true\n").effects.front().kind, EffectKind::ssao);
@@ -54,6 +66,9 @@ TEST(Settings, AreRefusedInTheWordsOfASceneFile) {
   refuses("name = \"x\"\n", "unknown key 'name'");
   refuses("type = \"ro\"\nrealtime = true\n", "realtime = true renders type \"ssao\" alone");
   refuses("ground = {}\n", "unknown key 'ground'");
+  refuses("frame = false\nview = \"left\"\n", "view: frames the mesh: frame = false goes with eye and at");
+  refuses("view = \"left\"\neye = [1, 2, 3]\n", "eye and at follow from frame = true, or from view");
+  refuses("eye = [1, 2, 3]\nmargin = 0.1\n", "margin goes with frame = true, or with view");
   refuses("spp = \n", "");
 }
 
