@@ -4,6 +4,7 @@
 
 #include "mesh/orientation.hpp"
 #include "mesh/outline_crossing.hpp"
+#include "mesh/star_outline.hpp"
 
 namespace nook {
 namespace {
@@ -78,12 +79,24 @@ std::uint32_t EarClipper::blocker_of(std::uint32_t corner, bool& touching) {
   return found;
 }
 
+bool EarClipper::sees_ear(std::uint32_t corner) const {
+  return centre_ && orientation(*centre_, place(corners_[corner].before), place(corners_[corner].after)) > 0;
+}
+
+void EarClipper::build_obstacles() {
+  std::vector<std::uint32_t> obstacles;
+  for (std::uint32_t i = 0; i < corners_.size(); ++i)
+    if (!corners_[i].gone && corners_[i].turn <= 0) obstacles.push_back(i);
+  obstacles_.build(outline_, std::move(obstacles));
+  centre_.reset();
+}
+
 // After a neighbour of `corner` is gone.
 void EarClipper::changed(std::uint32_t corner) {
   Corner& c = corners_[corner];
   const int turn = turn_of(corner);
   if (c.turn <= 0 && turn > 0) {
-    obstacles_.remove(corner);
+    if (!centre_) obstacles_.remove(corner);
     wake(c.waiting);
   }
   c.turn = std::int8_t(turn);
@@ -99,7 +112,7 @@ void EarClipper::clip_corner(std::uint32_t corner, std::vector<Triangle>& triang
   corners_[c.after].before = c.before;
   --left_;
   some_ = c.after;
-  if (c.turn <= 0) obstacles_.remove(corner);
+  if (c.turn <= 0 && !centre_) obstacles_.remove(corner);
   wake(c.waiting);
   wake(c.waiting_at_touch);
   changed(c.before);
@@ -152,21 +165,19 @@ bool EarClipper::clip(std::span<const dvec2> outline, std::vector<Triangle>& tri
   waits_.clear();
   const std::uint32_t count = std::uint32_t(outline.size());
   corners_.resize(count);
-  std::vector<std::uint32_t> obstacles;
   for (std::uint32_t i = 0; i < count; ++i)
     corners_[i] = {i == 0 ? count - 1 : i - 1, i + 1 == count ? 0 : i + 1, nobody, nobody, 0, false, false};
   for (std::uint32_t i = 0; i < count; ++i) {
     corners_[i].turn = std::int8_t(turn_of(i));
-    if (corners_[i].turn <= 0)
-      obstacles.push_back(i);
-    else
-      enqueue(i);
+    enqueue(i);
   }
-  obstacles_.build(outline, std::move(obstacles));
-  bool good = !outline_crosses(outline);
+  centre_ = star_centre(outline);
+  bool good = centre_ || !outline_crosses(outline);
+  if (!centre_) build_obstacles();
 
   while (left_ > 3) {
     if (queue_front_ == queue_.size()) {
+      if (centre_) build_obstacles();
       if (!good && forced_ > most_forced) break;
       if (!clip_without_ear(triangles)) good = false;
       ++forced_;
@@ -175,6 +186,11 @@ bool EarClipper::clip(std::span<const dvec2> outline, std::vector<Triangle>& tri
     const std::uint32_t corner = queue_[queue_front_++];
     corners_[corner].queued = false;
     if (corners_[corner].gone || corners_[corner].turn <= 0) continue;
+    if (sees_ear(corner)) {
+      clip_corner(corner, triangles);
+      continue;
+    }
+    if (centre_) build_obstacles();
     bool touching = false;
     const std::uint32_t blocker = !good && forced_ > most_forced ? nobody : blocker_of(corner, touching);
     if (blocker == nobody) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,7 +18,9 @@ namespace nook {
 /// by the way the outline goes there. A corner on a straight line keeps its place in some triangle, so that a
 /// neighbouring face that has it too leaves no gap. Which corners lie in the way is looked up in a tree of
 /// those that are not convex (obstacle_tree.hpp), and a corner that is no ear yet waits for the one that was
-/// in its way: n log n steps for most outlines.
+/// in its way: n log n steps for most outlines. Where all of the outline is seen from one point
+/// (star_outline.hpp), nothing is looked up: a convex corner is an ear if its neighbours pass that point on
+/// their left as well, since the triangle then lies between two rays that meet the outline once each.
 class EarClipper {
  public:
   using Triangle = std::array<std::uint32_t, 3>;
@@ -50,6 +53,8 @@ class EarClipper {
   /// Whether `other` keeps the triangle of an ear from being clipped; `touching`: it lies on its border.
   bool blocks(std::uint32_t other, const std::array<std::uint32_t, 3>& ear, bool& touching) const;
   std::uint32_t blocker_of(std::uint32_t corner, bool& touching);
+  bool sees_ear(std::uint32_t corner) const;
+  void build_obstacles();
   void clip_corner(std::uint32_t corner, std::vector<Triangle>& triangles);
   void changed(std::uint32_t corner);
   bool is_flat(std::uint32_t corner) const;
@@ -61,8 +66,9 @@ class EarClipper {
   std::vector<std::uint32_t> queue_;
   std::size_t queue_front_ = 0, left_ = 0, forced_ = 0, looks_ = 0;
   double tolerance_ = 0;
-  bool loose_ = false;      // what lies in an ear by no more than the tolerance does not block it
-  std::uint32_t some_ = 0;  // a corner that is left
+  bool loose_ = false;           // what lies in an ear by no more than the tolerance does not block it
+  std::uint32_t some_ = 0;       // a corner that is left
+  std::optional<dvec2> centre_;  // sees all that is left of the outline; the tree is then not built yet
   ObstacleTree obstacles_;
 };
 

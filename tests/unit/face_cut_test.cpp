@@ -13,6 +13,7 @@
 
 #include "mesh/orientation.hpp"
 #include "mesh/outline_crossing.hpp"
+#include "mesh/star_outline.hpp"
 
 namespace nook {
 namespace {
@@ -235,6 +236,55 @@ TEST(FaceCut, OrientationIsExact) {
     }
   EXPECT_EQ(orientation({1e-30, 1e-30}, {2e-30, 2e-30}, {3e-30, 3.0000000000000004e-30}), 1);
   EXPECT_EQ(orientation({0, 0}, {1e30, 1e30}, {1, 1}), 0);
+}
+
+// Against 128-bit integers, for points that are next to a line, on it by rounding, or anywhere.
+TEST(FaceCut, OrientationIsThatOfIntegers) {
+  std::mt19937_64 random(9);
+  const auto coordinate = [&](int bits) {
+    return std::int64_t(random() >> (64 - bits)) - (std::int64_t(1) << (bits - 1));
+  };
+  int undecided = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const int bits = 3 + i % 50;
+    const glm::i64vec2 a(coordinate(bits), coordinate(bits)), b(coordinate(bits), coordinate(bits));
+    const double t = double(random() % 1000) / 500 - .5;
+    const dvec2 near = dvec2(a) + t * (dvec2(b) - dvec2(a));
+    const glm::i64vec2 c(std::llround(near.x) + std::int64_t(random() % 3) - 1, std::llround(near.y));
+    const __int128 determinant = __int128(a.x - c.x) * (b.y - c.y) - __int128(a.y - c.y) * (b.x - c.x);
+    ASSERT_EQ(orientation(dvec2(a), dvec2(b), dvec2(c)), (determinant > 0) - (determinant < 0)) << i;
+    undecided += std::abs(double(determinant)) < 1e-15 * std::abs(double(a.x - c.x) * double(b.y - c.y));
+  }
+  EXPECT_GT(undecided, 1000) << "of them many must be beyond plain doubles";
+}
+
+Outline random_star(std::mt19937& random, int corners, double least) {
+  std::uniform_real_distribution<double> radius(least, 1);
+  Outline star;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * M_PI * i / corners, r = radius(random);
+    star.push_back({std::llround(1e9 * r * std::cos(angle)), std::llround(1e9 * r * std::sin(angle))});
+  }
+  return star;
+}
+
+TEST(FaceCut, StarsAreSeenFromOnePointAndCoveredExactly) {
+  std::mt19937 random(8);
+  for (int i = 0; i < 200; ++i) {
+    SCOPED_TRACE(i);
+    const Outline star = random_star(random, 5 + 5 * (i % 40), i % 3 ? .3 : .02);
+    expect_covered(star);
+    expect_covered(star, somewhere(random, 1e-9, 10));
+    std::vector<dvec2> seen(star.begin(), star.end());
+    EXPECT_TRUE(star_centre(seen).has_value());
+    EXPECT_FALSE(outline_crosses(seen));
+    std::reverse(seen.begin(), seen.end());
+    EXPECT_FALSE(star_centre(seen).has_value());
+  }
+  // round twice, of no kernel, and of a kernel that is a line
+  const Outline pentagram = {{951, 309}, {-951, 309}, {588, -809}, {0, 1000}, {-588, -809}};
+  for (const Outline& outline : {pentagram, letter_e, window, Outline{{0, 0}, {4, 0}, {2, 0}, {2, 2}}})
+    EXPECT_FALSE(star_centre(std::vector<dvec2>(outline.begin(), outline.end())).has_value());
 }
 
 double seconds_for(const Outline& outline) {
