@@ -101,14 +101,14 @@ class Reader {
     const std::size_t index = so_far_.uvs++;
     if (!want_.uvs) return "";
     double v[2] = {};
-    const std::string fault = read_numbers(rest, v, 2, 1);
+    if (!read_numbers(rest, v, 2, 1).empty()) v[0] = std::nan("");
     mesh_.uvs[index] = vec2(v[0], v[1]);
     if (!std::isfinite(mesh_.uvs[index].x) || !std::isfinite(mesh_.uvs[index].y))
       if (piece_.odd_uvs++ == 0) piece_.odd_uv_line = piece_.before.lines + line;
-    return fault;
+    return "";
   }
 
-  // "7", "7/2", "7/2/7", "7//7"; and "7/", "7//", "7/2/", as some programs write what is left out.
+  // "7", "7/2", "7/2/7", "7//7"; and "7/", "7//", "7/2/", "7/0/0", as some programs write what is left out.
   std::string corner(std::string_view word) {
     std::uint32_t index[3] = {FaceBlock::none, FaceBlock::none, FaceBlock::none};
     const std::size_t above[3] = {so_far_.positions, so_far_.uvs, so_far_.normals};
@@ -120,7 +120,7 @@ class Reader {
     for (std::size_t part = 0;; ++part) {
       const std::size_t slash = std::min(left.find('/'), left.size());
       const std::string_view digits = left.substr(0, slash);
-      if (part == 0 || !digits.empty())
+      if (part == 0 || (!digits.empty() && digits != "0"))
         if (std::string fault = read_index(digits, above[part], limits[part], kinds[part], index[part]);
             !fault.empty())
           return fault;

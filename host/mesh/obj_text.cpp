@@ -26,7 +26,10 @@ ObjKeyword obj_keyword(std::string_view statement, std::string_view& rest) {
 }
 
 bool goes_on(std::string_view line) {
+  const std::size_t size = line.size();
+  while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
   if (line.empty() || line.back() != '\\') return false;
+  if (line.size() < size && line.size() > 1 && !is_blank(line[line.size() - 2])) return false;
   for (std::size_t i = 0; i < line.size(); ++i)
     if (line[i] == '#' && (i == 0 || is_blank(line[i - 1]))) return false;
   return true;
@@ -51,6 +54,7 @@ std::vector<std::string_view> obj_pieces(std::string_view text, std::size_t byte
   std::vector<std::string_view> pieces;
   const auto continues = [&](std::size_t newline) {
     if (newline > 0 && text[newline - 1] == '\r') --newline;
+    while (newline > 0 && is_blank(text[newline - 1])) --newline;
     return newline > 0 && text[newline - 1] == '\\';
   };
   while (!text.empty()) {

@@ -21,7 +21,8 @@ enum class ObjKeyword { position, uv, normal, face, group, object, material, lib
 /// `statement` begins with its keyword; `rest` is what follows that.
 ObjKeyword obj_keyword(std::string_view statement, std::string_view& rest);
 
-/// Whether the statement goes on in the next line: it ends in a backslash that is in no comment.
+/// Whether the statement goes on in the next line: it ends in a backslash that is in no comment. Blanks may
+/// stand behind it if one stands before it.
 bool goes_on(std::string_view line);
 
 /// Calls visit(statement, line) for each line that is not blank: leading blanks removed, what "\" continues
@@ -49,10 +50,12 @@ std::size_t for_each_statement(std::string_view text, const Visit& visit) {
     std::string_view statement = next_line();
     const std::size_t first = line;
     while (!statement.empty() && is_blank(statement.front())) statement.remove_prefix(1);
-    if (!statement.empty() && statement.back() == '\\' && goes_on(statement)) {
+    const char last = statement.empty() ? '\0' : statement.back();
+    if ((last == '\\' || is_blank(last)) && goes_on(statement)) {
       joined = statement;
       while (goes_on(joined)) {
-        joined.back() = ' ';
+        joined.erase(joined.rfind('\\'));
+        joined += ' ';
         if (at == end) break;
         joined += next_line();
       }

@@ -81,7 +81,7 @@ class HeaderReader {
 
   void element(std::string_view text) {
     PlyElement& element = header_.elements.emplace_back();
-    element.name = next_word(text);
+    element.name = lower(next_word(text));
     const std::string_view count = next_word(text);
     const auto [end, code] = std::from_chars(count.data(), count.data() + count.size(), element.count);
     if (code != std::errc() || end != count.data() + count.size() || element.count > 0xfffffff0u)
@@ -99,7 +99,7 @@ class HeaderReader {
       word = next_word(text);
     }
     property.type = type(word);
-    property.name = next_word(text);
+    property.name = lower(next_word(text));
     header_.elements.back().properties.push_back(property);
   }
 

@@ -89,6 +89,8 @@ class PlyLoader {
   }
 
   void read_faces(const PlyElement& element) {
+    if (element.count > 0 && std::none_of(element.properties.begin(), element.properties.end(), are_indices))
+      body_.fail("faces need the list vertex_indices");
     const bool with_uvs = want_.uvs && element.find("texcoord", true) >= 0;
     std::vector<double> uvs;
     for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i) {
@@ -131,7 +133,8 @@ class PlyLoader {
     if (size > 3) faces.places.push_back(std::uint32_t(place));
   }
 
-  // Triangles of three corners that follow one another, every other one turned over; -1 begins a new strip.
+  // Triangles of three corners that follow one another, every other one turned over. -1, also as 32 bits
+  // without a sign, begins a new strip.
   void read_strips(const PlyElement& element) {
     for (std::uint64_t i = 0; i < element.count && !element.properties.empty(); ++i)
       for (const PlyProperty& property : element.properties) {
@@ -142,7 +145,7 @@ class PlyLoader {
         std::vector<std::uint32_t> strip;
         for (std::size_t k = body_.list_size(property.count_type); k > 0; --k) {
           const double value = body_.value(property.type);
-          if (value == -1) {
+          if (value == -1 || (value == 0xffffffffu && property.type == PlyType::u32)) {
             add_strip(strip);
             strip.clear();
           } else {
@@ -204,7 +207,7 @@ TriangleMesh load_ply(const std::filesystem::path& path, const MeshAttributes& a
   mesh.name = path.string();
   {
     const LargeVector<char> bytes = read_mesh_file(path);
-    const std::string_view text(bytes.data(), bytes.size());
+    const std::string_view text = without_byte_order_mark({bytes.data(), bytes.size()}, path);
     const PlyHeader header = read_ply_header(text, mesh.name);
     PlyBody body(text, header, mesh.name);
     PlyLoader(body, header, want, mesh);

@@ -71,10 +71,9 @@ class AsciiReader {
     for (std::string word = lower(next_word(statement)); !word.empty(); word = lower(next_word(statement))) {
       if (word == "solid" || word == "endsolid") {
         in_solid_ = word == "solid";
-        if (in_solid_) solid(trimmed(statement));
-        return;
-      }
-      if (word == "vertex") {
+        const std::string_view name = take_name(statement);
+        if (in_solid_) solid(name);
+      } else if (word == "vertex") {
         vertex(statement);
       } else if (word == "endloop") {
         end_loop();
@@ -97,6 +96,14 @@ class AsciiReader {
  private:
   [[noreturn]] void fail(const std::string& what) const {
     throw Error(ErrorKind::scene, Place{mesh_.name, line_}, what);
+  }
+
+  // What stands before the first facet: a whole file may be one line.
+  static std::string_view take_name(std::string_view& statement) {
+    const std::string_view whole = statement;
+    for (std::string_view rest = statement;; statement = rest)
+      if (const std::string_view word = next_word(rest); word.empty() || lower(word) == "facet") break;
+    return trimmed(whole.substr(0, whole.size() - statement.size()));
   }
 
   void solid(std::string_view name) {
@@ -135,9 +142,11 @@ class AsciiReader {
   bool in_solid_ = false;
 };
 
-bool begins_with_solid(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
-  return lower(text.substr(0, 5)) == "solid";
+// The header of a binary file may begin with "solid" as well; but a count and small numbers hold zeros.
+bool is_ascii(std::string_view text) {
+  const std::string head = lower(text.substr(0, 1024));
+  return head.find('\0') == std::string::npos &&
+         (head.find("solid") != std::string::npos || head.find("facet") != std::string::npos);
 }
 
 }  // namespace
@@ -152,7 +161,7 @@ TriangleMesh load_stl(const std::filesystem::path& path, const MeshAttributes& a
   {
     const LargeVector<char> bytes = read_mesh_file(path);
     const std::string_view all(bytes.data(), bytes.size()), text = without_byte_order_mark(all, path);
-    if (all.size() != binary_size(all) && begins_with_solid(text)) {
+    if (all.size() != binary_size(all) && is_ascii(text)) {
       AsciiReader reader(mesh, unnamed);
       for_each_statement(text, [&](std::string_view statement, std::size_t line) {
         reader.read(statement, line);

@@ -1,6 +1,22 @@
 #include "mesh/words.hpp"
 
+#include <algorithm>
+#include <cctype>
+#include <limits>
+
 namespace nook {
+
+bool read_old_not_finite(std::string_view word, double& value) {
+  const bool negative = word.starts_with('-');
+  if (negative) word.remove_prefix(1);
+  if (!word.starts_with("1.#") || word.size() < 4) return false;
+  word.remove_prefix(3);
+  if (!std::all_of(word.begin(), word.end(), [](unsigned char c) { return std::isalnum(c); })) return false;
+  value = word.starts_with("INF") ? std::numeric_limits<double>::infinity()
+                                  : std::numeric_limits<double>::quiet_NaN();
+  if (negative) value = -value;
+  return true;
+}
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);

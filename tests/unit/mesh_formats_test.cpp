@@ -31,11 +31,15 @@ TriangleMesh load(const std::string& name, const std::string& bytes,
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 TEST(ObjKinds, AreTheSquare) {
-  const std::string texts[] = {
-      "f 1 2 \\\n3 4\n",     "f 1 2 3\\\n 4\n",          "f \\\n1 2 3 \\\n4", "f 1 2 3\\\n4\n",
-      "f 1// 2// 3// 4//\n", "f 1/ 2/ 3/ 4/\n",          "f -4 -3 -2 -1\n",   "\tf\t1 2\t3 4 \n",
-      "# C:\\\nf 1 2 3 4\n", "f 1 2 3 4 # C:\\\n",       "f +1 +2 +3 +4\n",   "f 1 2 3 4\\",
-      "f 1 2 3 4 \\\n\n",    "f\v1 2 3 4\nl 1 2\np 1\n", "f 1 2 3 4\nend\n",  "v 9 \\\n9 9\nf 1 2 3 4\n"};
+  const std::string texts[] = {"f 1 2 \\\n3 4\n",        "f 1 2 3\\\n 4\n",
+                               "f \\\n1 2 3 \\\n4",      "f 1 2 3\\\n4\n",
+                               "f 1// 2// 3// 4//\n",    "f 1/ 2/ 3/ 4/\n",
+                               "f -4 -3 -2 -1\n",        "\tf\t1 2\t3 4 \n",
+                               "# C:\\\nf 1 2 3 4\n",    "f 1 2 3 \\ \t\n4\n",
+                               "f 1/0 2/0 3/0/0 4//0\n", "f 1 2 3 4 # C:\\\n",
+                               "f +1 +2 +3 +4\n",        "f 1 2 3 4\\",
+                               "f 1 2 3 4 \\\n\n",       "f\v1 2 3 4\nl 1 2\np 1\n",
+                               "f 1 2 3 4\nend\n",       "v 9 \\\n9 9\nf 1 2 3 4\n"};
   const std::string expected = mesh_hash(load("a.obj", square + "f 1 2 3 4\n"));
   for (const std::string& text : texts)
     for (const char* line_end : {"\n", "\r\n", "\r"}) {
@@ -58,17 +62,28 @@ TEST(ObjKinds, CornersMayHaveUvsAndNoNormals) {
 
 TEST(ObjKinds, TextureCoordinatesThatAreNoNumbers) {
   const std::string faces = "f 1/1 2/1 3/1\nf 1/2 3/2 4/1\n";
-  const TriangleMesh mesh = load("a.obj", square + "vt 0 0\nvt nan 1\n" + faces);
-  ASSERT_EQ(mesh.report.warnings.size(), 1u);
-  EXPECT_NE(mesh.report.warnings[0].find("a.obj:6: texture coordinates that are not finite"),
-            std::string::npos);
-  EXPECT_EQ(std::count(mesh.triangle_uvs[1].begin(), mesh.triangle_uvs[1].end(), TriangleMesh::no_uv), 2);
-  expect_error(ErrorKind::scene, "a.obj:6: 'x' is not a number",
-               [&] { load("a.obj", square + "vt 0 0\nvt x 1\n" + faces); });
-  expect_error(ErrorKind::scene, "a.obj:6: 0 numbers, expected 1",
-               [&] { load("a.obj", square + "vt 0 0\nvt\n" + faces); });
+  for (const char* bad : {" nan 1", " 1 1.#QNAN00", " -1.#IND 0", " 1e39", " x 1", " 1,5 0", ""}) {
+    const TriangleMesh mesh = load("a.obj", square + "vt 0 0\nvt" + bad + "\n" + faces);
+    ASSERT_EQ(mesh.report.warnings.size(), 1u) << bad;
+    EXPECT_NE(mesh.report.warnings[0].find("a.obj:6: texture coordinates that are no finite numbers"),
+              std::string::npos);
+    EXPECT_EQ(std::count(mesh.triangle_uvs[1].begin(), mesh.triangle_uvs[1].end(), TriangleMesh::no_uv), 2);
+  }
   // nobody asked for them
   EXPECT_EQ(load("a.obj", square + "vt 0 0\nvt x 1\n" + faces, {}).triangles.size(), 2u);
+}
+
+TEST(ObjKinds, PositionsAndNormalsThatAreNotFiniteInAnySpelling) {
+  for (const char* bad : {"nan", "-nan", "-nan(ind)", "inf", "1.#QNAN", "-1.#IND00", "1.#INF", "-1.#J"}) {
+    const TriangleMesh mesh = load(
+        "a.obj", square + "vn " + bad + " 0 1\nvn 0 0 1\nv 0 0 " + bad + "\nf 1//1 2//2 3//2\nf 1 2 5\n");
+    EXPECT_EQ(mesh.triangles.size(), 1u) << bad;
+    EXPECT_EQ(mesh.report.non_finite_dropped, 1u);
+    EXPECT_EQ(mesh.report.normals_replaced, 1u);
+  }
+  for (const char* bad : {"1.#", "1.#-1", "2.#INF", "1#INF", "--1.#INF"})
+    expect_error(ErrorKind::scene,
+                 "a.obj:5: ", [&] { load("a.obj", square + "v 0 0 " + bad + "\nf 1 2 3\n"); });
 }
 
 TEST(ObjKinds, NumbersAreReadToTheLastBit) {
@@ -190,7 +205,10 @@ TEST(Stl, BinaryAndTextShareTheirVertices) {
   for (const std::string& bytes :
        {binary, ascii_stl, binary_stl(2, {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0}, "solid"),
         std::regex_replace(ascii_stl, std::regex("\n"), "\r\n"),
-        std::regex_replace(ascii_stl, std::regex("vertex"), "VERTEX")}) {
+        std::regex_replace(ascii_stl, std::regex("vertex"), "VERTEX"),
+        std::regex_replace(ascii_stl, std::regex("\n"), " "), "\xef\xbb\xbf\n \t" + ascii_stl,
+        std::regex_replace(ascii_stl, std::regex("0 0 1"), "nan -nan(ind) 1.#QNAN"),
+        "# made by hand\n" + ascii_stl}) {
     const TriangleMesh mesh = load("plate.STL", bytes, {.normals = true});
     EXPECT_EQ(mesh.positions.size(), 4u);
     EXPECT_EQ(mesh_hash(mesh), mesh_hash(load("a.obj", square + "f 1 2 3\nf 1 3 4\n", {.normals = true})));
@@ -199,6 +217,27 @@ TEST(Stl, BinaryAndTextShareTheirVertices) {
   EXPECT_EQ(load("plate.stl", binary).groups, std::vector<std::string>{"plate"});
   EXPECT_EQ(load("plate.stl", ascii_stl + "solid\n" + ascii_stl.substr(14)).groups,
             (std::vector<std::string>{"a plate", "plate"}));
+  // of one line: what the name is ends with the first facet, and nothing behind endsolid is lost
+  const TriangleMesh two =
+      load("a.stl", std::regex_replace(ascii_stl + ascii_stl, std::regex("\n"), " "), {.groups = true});
+  EXPECT_EQ(two.triangles.size(), 4u);
+  EXPECT_EQ(two.groups, std::vector<std::string>{"a plate"});
+}
+
+TEST(Stl, BinaryHeadsMayBeginWithSolid) {
+  const std::vector<float> corners = {0, 0, 0, 1, 0, 0, 1, 1, 0};
+  for (const std::string& head : {std::string("solid"), std::string("Solid a.stl") + std::string(69, ' '),
+                                  std::string("solid facet normal outer loop vertex")}) {
+    const std::string bytes = binary_stl(1, corners, head);
+    EXPECT_EQ(load("a.stl", bytes).triangles.size(), 1u);
+    const TriangleMesh more = load("a.stl", bytes + "more");
+    EXPECT_EQ(more.triangles.size(), 1u);
+    ASSERT_EQ(more.report.warnings.size(), 1u);
+    EXPECT_NE(more.report.warnings[0].find("4 bytes behind the last triangle are left out"),
+              std::string::npos);
+    expect_error(ErrorKind::scene, "a.stl: the file ends too early: 124 bytes, its 1 triangles take 134",
+                 [&] { load("a.stl", bytes.substr(0, 124)); });
+  }
 }
 
 TEST(Stl, BadFilesSayWhere) {
@@ -331,6 +370,25 @@ TEST(PlyKinds, StripsTurnEveryOtherTriangle) {
     const vec3 a = mesh.positions[t[0]], b = mesh.positions[t[1]], c = mesh.positions[t[2]];
     EXPECT_GT(glm::cross(b - a, c - a).z, 0);
   }
+}
+
+TEST(PlyKinds, NamesOfAnyCaseByteOrderMarksAndStripsWithoutSigns) {
+  const std::string head =
+      "ply\nformat ascii 1.0\nelement Vertex 4\nproperty float X\nproperty float Y\nproperty float Z\n";
+  const std::string corners = "end_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+  const auto triangles = [&](const std::string& element, const std::string& list) {
+    return load("a.ply", "\xef\xbb\xbf" + head + element + corners + list).triangles;
+  };
+  const auto expected =
+      triangles("element face 2\nproperty list uchar int vertex_index\n", "3 0 1 2\n3 0 1 3\n");
+  EXPECT_EQ(expected.size(), 2u);
+  EXPECT_EQ(triangles("element Face 2\nproperty list uchar int Vertex_Indices\n", "3 0 1 2\n3 0 1 3\n"),
+            expected);
+  EXPECT_EQ(
+      triangles("element tristrips 1\nproperty list uchar uint vertex_index\n", "7 0 1 2 4294967295 0 1 3\n"),
+      expected);
+  expect_error(ErrorKind::scene, "a.ply:13: faces need the list vertex_indices",
+               [&] { triangles("element face 1\nproperty list uchar int corners\n", "3 0 1 2\n"); });
 }
 
 TEST(PlyKinds, CornersOwnTextureCoordinates) {
