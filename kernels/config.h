@@ -49,11 +49,20 @@
 #define SAMPLER_HALTON 2
 #define SAMPLER_SOBOL 3
 #define SAMPLER_ZORDER 4
+#define SAMPLER_POINTS 5  // given ones: Plan::point_set
 #ifndef SAMPLER
 #define SAMPLER SAMPLER_SOBOL
 #endif
-#if SAMPLER < 0 || SAMPLER > 4
-#error "SAMPLER: 0 independent, 1 stratified, 2 halton, 3 sobol, 4 zorder"
+#if SAMPLER < 0 || SAMPLER > 5
+#error "SAMPLER: 0 independent, 1 stratified, 2 halton, 3 sobol, 4 zorder, 5 points"
+#endif
+
+// 1: the points that were given are not shifted, so that all rows have the same.
+#ifndef POINTS_AS_THEY_ARE
+#define POINTS_AS_THEY_ARE 0
+#endif
+#if POINTS_AS_THEY_ARE && SAMPLER != SAMPLER_POINTS
+#error "POINTS_AS_THEY_ARE needs SAMPLER_POINTS"
 #endif
 
 // 1: the spread of the estimate is measured between directions (one camera ray a pixel, point lists);

@@ -6,6 +6,8 @@
 
 namespace nook {
 
+constexpr long given_points = 5;  // SAMPLER_POINTS of kernels/config.h: after those of nook::Sampler
+
 KernelPlan primary_kernel(const Plan& plan) {
   KernelPlan kernel{"stage/primary.cl", "primary", {}};
   kernel.options.define("SAMPLER", long(plan.sampler)).define("VERTEX_NORMALS", plan.vertex_normals);
@@ -19,8 +21,9 @@ KernelPlan occlusion_kernel(const Plan& plan, const EffectPlan& effect) {
   KernelPlan kernel{"stage/occlusion.cl", "occlusion", {}};
   kernel.options.define("EFFECT", effect.effect.kind == EffectKind::ro)
       .define("SAMPLING", long(effect.effect.sampling))
-      .define("SAMPLER", long(plan.sampler))
+      .define("SAMPLER", plan.point_set.empty() ? long(plan.sampler) : given_points)
       .define("REPLICATE_DIRECTIONS", plan.replicate_directions);
+  if (!plan.point_set.empty() && !plan.shift_points) kernel.options.define("POINTS_AS_THEY_ARE", 1);
   const Effect& e = effect.effect;
   if (e.kind == EffectKind::ro && e.exponent_of_material) kernel.options.define("EXPONENT_OF_MATERIAL", 1);
   for (const Key<Effect>& key : effect_keys()) {

@@ -56,6 +56,10 @@ struct Plan {
   std::uint32_t directions = 1;       ///< occlusion rays per camera ray
   bool replicate_directions = false;  ///< see Film
   Sampler sampler = Sampler::sobol;
+  /// Given points in [0,1)^2 to take directions from instead, at point lists: each randomisation takes the
+  /// whole set, and each row shifts it by a vector of its own, modulo 1 (Cranley and Patterson 1976).
+  std::vector<vec2> point_set;
+  bool shift_points = true;  ///< otherwise there is one randomisation, the set as it is at every row
   std::uint32_t seed = 0;
   bool vertex_normals = false;  ///< uploaded and interpolated
   bool materials = false;       ///< each triangle's material is uploaded, and surface points know theirs

@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "points/outside.hpp"
-#include "points/points.hpp"
+#include "points/triangle_point.hpp"
 
 namespace nook {
 namespace {
@@ -74,38 +74,6 @@ Corners corners_in_texels(const TriangleMesh& mesh, std::size_t t, int size) {
   return corners;
 }
 
-dvec3 face_normal(const TriangleMesh& mesh, std::size_t t) {
-  dvec3 p[3];
-  for (std::size_t k = 0; k < 3; ++k) p[k] = dvec3(mesh.positions[mesh.triangles[t][k]]);
-  const dvec3 n = glm::cross(p[1] - p[0], p[2] - p[0]);
-  const double length = glm::length(n);
-  return length > 0 ? n / length : dvec3(0);
-}
-
-dvec3 centroid_of(const TriangleMesh& mesh, std::size_t t) {
-  dvec3 sum(0);
-  for (const std::uint32_t corner : mesh.triangles[t]) sum += dvec3(mesh.positions[corner]);
-  return sum / 3.0;
-}
-
-float extent_of(const TriangleMesh& mesh, std::size_t t) {
-  const auto& [a, b, c] = mesh.triangles[t];
-  const vec3 p = mesh.positions[a], q = mesh.positions[b], r = mesh.positions[c];
-  const vec3 size = glm::max(p, glm::max(q, r)) - glm::min(p, glm::min(q, r));
-  return std::max({size.x, size.y, size.z});
-}
-
-dvec3 normal_at(const TriangleMesh& mesh, std::size_t t, const dvec3& weights) {
-  dvec3 sum(0);
-  for (int k = 0; mesh.has_normals() && k < 3; ++k) {
-    const std::uint32_t normal = mesh.triangle_normals[t][std::size_t(k)];
-    if (normal == TriangleMesh::no_normal) return face_normal(mesh, t);
-    sum += weights[k] * dvec3(mesh.normals[normal]);
-  }
-  const double length = glm::length(sum);
-  return length > 1e-6 ? sum / length : face_normal(mesh, t);
-}
-
 // The triangle of each texel, and what was seen on the way.
 struct Coverage {
   std::vector<std::uint32_t> triangle;
@@ -155,20 +123,12 @@ TexturePoints texture_points(const TriangleMesh& mesh, int size) {
     if (t == no_texel) continue;
     const dvec2 centre(double(texel % std::size_t(size)) + 0.5, double(texel / std::size_t(size)) + 0.5);
     const dvec3 weights = nearest_on(corners_in_texels(mesh, t, size), centre).weights;
-    dvec3 position(0);
-    for (int k = 0; k < 3; ++k)
-      position += weights[k] * dvec3(mesh.positions[mesh.triangles[t][std::size_t(k)]]);
+    const TrianglePoint at = triangle_point(mesh, t, weights);
     made.texels.push_back(std::uint32_t(texel));
-    made.positions.push_back(vec3(position));
-    made.normals.push_back(vec3(normal_at(mesh, t, weights)));
-    const vec3 at = glm::abs(made.positions.back());
-    const float largest = std::max({at.x, at.y, at.z});
-    const vec3 normal = made.normals.back(), face = vec3(face_normal(mesh, t));
-    made.points.push_back(surface_point(made.positions.back(), normal, vec3(0),
-                                        glm::dot(face, normal) < 0 ? -face : face,
-                                        std::min(extent_of(mesh, t), largest)));
-    centroids.push_back(centroid_of(mesh, t));
-    made.points.back().triangle = t;
+    made.positions.push_back(at.position);
+    made.normals.push_back(at.normal);
+    made.points.push_back(at.point);
+    centroids.push_back(at.centroid);
   }
   move_outside(made.points, mesh, centroids);
   return made;

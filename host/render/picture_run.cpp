@@ -126,10 +126,15 @@ void PictureRun::take(RunObserver& observer) {
 }
 
 std::string PictureRun::why_not_repeatable() const {
+  if (!renderer_.mesh_of_files()) return "its mesh was given as arrays, which no file holds";
   const StopTarget& stop = renderer_.scene().stop;
   if (!samples_ || !stop.seconds) return "";
   if (stop.error) return complete_ ? "" : "its time ended before its error was met";
   return has_first_samples(samples_->session()) ? "" : "its pixels have other samples than their first";
+}
+
+Repeat PictureRun::repeat() const {
+  return {scene_attribute(renderer_.scene()), renderer_.mesh_hash(), request_.aovs, why_not_repeatable()};
 }
 
 void PictureRun::keep() {
@@ -154,6 +159,7 @@ Image PictureRun::image() {
     ssao_ = draw_ssao(renderer_.scene(), renderer_.mesh(), plan, plan.needs_opencl() ? AovRequest{} : aovs_,
                       request_.frames, image);
   place_crop(image, plan);
+  image.metadata = repeat().attributes();
   return image;
 }
 

@@ -11,6 +11,7 @@
 #include "image/image.hpp"
 #include "picture/ssao_layers.hpp"
 #include "render/observer.hpp"
+#include "render/repeat.hpp"
 #include "trace/session.hpp"
 
 namespace nook {
@@ -64,12 +65,14 @@ class PictureRun {
   double render_seconds() const { return render_seconds_; }
   /// What was drawn, after image().
   const SsaoLayers& ssao() const { return ssao_; }
-  /// Why the image cannot be made again from its scene and its channels, after take(); empty: it can.
-  std::string why_not_repeatable() const;
+  /// How the image can be made again from its attributes and channels, which it has; after take(), also
+  /// whether.
+  Repeat repeat() const;
 
  private:
   struct Samples;
   std::vector<Channel> channels_of_surface() const;
+  std::string why_not_repeatable() const;
 
   SceneRenderer& renderer_;
   PictureRequest request_;

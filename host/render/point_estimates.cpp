@@ -1,5 +1,6 @@
 #include "render/point_estimates.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "adaptive/quantiles.hpp"
@@ -11,24 +12,29 @@ namespace {
 constexpr double confidence = 0.95;
 constexpr float square_scale = 0x1p52f;  // means differ in their fourth digit, and their squares are added
 
-// Another randomisation's samples, as one more replicate of each point.
-void add_replicate(Film& whole, const Film& film) {
-  for (std::size_t i = 0; i < whole.pixels(); ++i) {
-    whole.sum[i] += film.sum[i];
-    const double mean = film.value(i);
-    whole.sum_square[i] += std::uint64_t(std::llround(mean * mean * double(whole.square_scale)));
-    whole.replicates[i] += film.replicates[i] > 0;
-    whole.camera_samples[i] += film.camera_samples[i];
-    whole.hits[i] += film.hits[i];
+// Of the points that one launch may have results of: a point has as many as randomisations.
+constexpr std::uint32_t most_results = 1u << 20;
+
+// Another randomisation's samples, pixels [first, first + count) of `film`, as one more replicate of the
+// points from `point` on.
+void add_replicate(Film& whole, std::size_t point, const Film& film, std::size_t first, std::size_t count) {
+  for (std::size_t from = first; from < first + count; ++from, ++point) {
+    whole.sum[point] += film.sum[from];
+    const double mean = film.value(from);
+    whole.sum_square[point] += std::uint64_t(std::llround(mean * mean * double(whole.square_scale)));
+    whole.replicates[point] += film.replicates[from] > 0;
+    whole.camera_samples[point] += film.camera_samples[from];
+    whole.hits[point] += film.hits[from];
     for (std::size_t plane = 0; plane < whole.extra.size(); ++plane)
-      whole.extra[plane][i] += film.extra[plane][i];
+      whole.extra[plane][point] += film.extra[plane][from];
   }
 }
 
 }  // namespace
 
-std::uint32_t randomisations_at_points(Sampler sampler, std::uint32_t directions) {
-  if (sampler == Sampler::independent) return 1;
+std::uint32_t randomisations_at_points(const Plan& plan, std::uint32_t directions) {
+  if (!plan.point_set.empty()) return directions / std::uint32_t(plan.point_set.size());
+  if (plan.sampler == Sampler::independent) return 1;
   for (std::uint32_t count = 16; count >= 8; --count)
     if (directions % count == 0) return count;
   return 1;
@@ -37,17 +43,27 @@ std::uint32_t randomisations_at_points(Sampler sampler, std::uint32_t directions
 std::vector<Film> estimate_at_points(OcclusionTracer& tracer, const Plan& plan,
                                      std::span<const SurfacePoint> points, std::uint32_t directions,
                                      const OcclusionTracer::Progress& progress) {
-  const std::uint32_t count = randomisations_at_points(plan.sampler, directions);
+  const std::uint32_t count = randomisations_at_points(plan, directions);
   tracer.set_samples(plan.spp, plan.seed);  // whatever an earlier call left
   if (count == 1) return tracer.estimate_all(points, directions, progress);
   std::vector<Film> whole;
   for (const EffectPlan& planned : plan.effects)
     whole.emplace_back(int(points.size()), 1, planned.sum_scale, square_scale, directions / count,
                        planned.extra_planes());
-  for (std::uint32_t r = 0; r < count; ++r) {
-    tracer.set_samples(plan.spp, Randomisations::seed_of(plan.seed, r));
-    const std::vector<Film> films = tracer.estimate_all(points, directions / count, progress);
-    for (std::size_t e = 0; e < whole.size(); ++e) add_replicate(whole[e], films[e]);
+  // All randomisations of some points together: a launch costs more than a point's directions.
+  const bool together = plan.replicate_directions;
+  const std::size_t most = together ? std::max(1u, most_results / count) : points.size();
+  for (std::size_t first = 0; first < points.size(); first += most) {
+    const auto some = points.subspan(first, std::min(most, points.size() - first));
+    for (std::uint32_t r = 0; r < count; r += together ? count : 1) {
+      if (!together) tracer.set_samples(plan.spp, Randomisations::seed_of(plan.seed, r));
+      const std::vector<Film> films = together ? tracer.estimate_randomised(some, std::uint32_t(first), count,
+                                                                            directions / count, progress)
+                                               : tracer.estimate_all(some, directions / count, progress);
+      for (std::size_t e = 0; e < whole.size(); ++e)
+        for (std::size_t from = 0; from < films[e].pixels(); from += some.size())
+          add_replicate(whole[e], first, films[e], from, some.size());
+    }
   }
   return whole;
 }

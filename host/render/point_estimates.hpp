@@ -6,8 +6,9 @@ namespace nook {
 
 /// How many randomisations the directions at a point are split into, so that their spread tells the
 /// estimate's error: the samples of a point set vary more than its means do. As many as divide `directions`
-/// from 16 down to 8; 1 for independent samples, whose own spread tells, and where none divides.
-std::uint32_t randomisations_at_points(Sampler sampler, std::uint32_t directions);
+/// from 16 down to 8; 1 for independent samples, whose own spread tells, and where none divides. Of a set of
+/// given points (Plan::point_set), whose multiple `directions` must be: as often as it is taken.
+std::uint32_t randomisations_at_points(const Plan& plan, std::uint32_t directions);
 
 /// OcclusionTracer::estimate_all() whose films' variance is true for every point sequence: replicates are
 /// randomisations (Randomisations::seed_of), or directions where there is one.

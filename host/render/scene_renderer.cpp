@@ -30,6 +30,7 @@ struct SceneRenderer::Shared {
 SceneRenderer::SceneRenderer(Scene scene, OpenDevice open, SceneRendererOptions options)
     : scene_(std::move(scene)), options_(std::move(options)), shared_(std::make_shared<Shared>()) {
   open_device(std::move(open));
+  options_.mesh_of_files = true;
   Stopwatch watch;
   shared_->mesh =
       load_scene_mesh(scene_, options_.attributes.value_or(needed_attributes(scene_, options_.surface)),

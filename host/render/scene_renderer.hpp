@@ -25,6 +25,7 @@ struct SceneRendererOptions {
   std::optional<Instancing> instancing;      ///< instead of the scene's
   OcclusionTracer::KernelSource source = kernel_source;
   Traversal traversal = Traversal::automatic;
+  bool mesh_of_files = false;  ///< a mesh that is given was read from the scene's files
 };
 
 /// Wall-clock seconds that making ready took.
@@ -57,6 +58,8 @@ class SceneRenderer {
 
   const Scene& scene() const { return scene_; }
   const TriangleMesh& mesh() const;
+  /// It is what the scene's files hold, so that its pictures can be made again.
+  bool mesh_of_files() const { return options_.mesh_of_files; }
   /// nook::mesh_hash() of it.
   const std::string& mesh_hash() const;
   /// What will be computed, with the scene's stop target in it (plan_until()).

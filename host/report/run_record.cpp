@@ -80,16 +80,12 @@ std::string prefix_of(std::size_t effect) {
 }  // namespace
 
 std::map<std::string, std::string> RunRecord::metadata() const {
-  std::map<std::string, std::string> m;
+  std::map<std::string, std::string> m = repeat.attributes();
   m["nook/version"] = version;
   m["nook/build"] = build_description;
   m["nook/scene_file"] = scene_file;
   m["nook/scene_hash"] = scene_hash;
-  m["nook/scene"] = scene;
   m["nook/folder"] = folder;
-  if (!aovs.empty()) m["nook/aovs"] = fmt::format("{}", fmt::join(aovs, ","));
-  if (!not_repeatable.empty()) m["nook/not_repeatable"] = not_repeatable;
-  m["nook/mesh_hash"] = mesh_hash;
   m["nook/sampler"] = name_of(plan.sampler);
   m["nook/seed"] = std::to_string(plan.seed);
   m["nook/spp"] = std::to_string(plan.spp);
@@ -123,7 +119,7 @@ void write_stats(const std::filesystem::path& path, const RunRecord& r) {
       {"version", version},
       {"scene", r.scene_file},
       {"scene_hash", r.scene_hash},
-      {"mesh_hash", r.mesh_hash},
+      {"mesh_hash", r.repeat.mesh_hash},
       {"complete", r.complete},
       {"width", r.plan.window.width()},
       {"height", r.plan.window.height()},

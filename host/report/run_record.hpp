@@ -11,6 +11,7 @@
 #include "film/film_part.hpp"
 #include "picture/ssao_layers.hpp"
 #include "plan/plan.hpp"
+#include "render/repeat.hpp"
 
 namespace nook {
 
@@ -24,13 +25,11 @@ struct RunSeconds {
 /// What a run did: the EXR's metadata and `--stats`.
 struct RunRecord {
   Plan plan;
-  std::string scene_hash, mesh_hash;
+  std::string scene_hash;
   std::string scene_file;
-  /// What makes the picture again: the resolved scene (TOML), the channels asked for besides, the folder that
-  /// it was first written to, and why it cannot be made again, if so.
-  std::string scene, folder, not_repeatable;
-  std::vector<std::string> aovs;
-  DeviceInfo device;  ///< name, platform_name and driver alone if only SSAO was drawn, by OpenGL
+  Repeat repeat;
+  std::string folder;  ///< that the picture was first written to: its meshes are looked for from there
+  DeviceInfo device;   ///< name, platform_name and driver alone if only SSAO was drawn, by OpenGL
   std::vector<SsaoRecord> ssao;
   RunSeconds seconds;
   TraceCounts counts;

@@ -134,7 +134,7 @@ void write_study_json(const std::filesystem::path& path, const Study& study, con
   write_text(path, j.dump(1) + '\n');
 }
 
-void write_study_csv(const std::filesystem::path& path, const Study& study) {
+std::string study_csv(const Study& study) {
   std::string text =
       "method,family,sampling,sampler,directions,level,runs,rmse,rmse_low,rmse_high,wall_seconds,device_"
       "seconds,rays,bias,mean_error,covered,"
@@ -152,7 +152,11 @@ void write_study_csv(const std::filesystem::path& path, const Study& study) {
           number("wall_seconds"), number("device_seconds"), number("rays"), number("bias"),
           number("mean_error"), number("covered"), number("error_claimed"), number("efficiency"));
     }
-  write_text(path, text);
+  return text;
+}
+
+void write_study_csv(const std::filesystem::path& path, const Study& study) {
+  write_text(path, study_csv(study));
 }
 
 std::vector<StudyPoint> read_study_points(const std::filesystem::path& path, const StudyFacts& facts,

@@ -16,7 +16,10 @@ using StudyFacts = std::vector<std::pair<std::string, std::string>>;
 /// Error(output).
 void write_study_json(const std::filesystem::path& path, const Study& study, const StudyFacts& facts);
 
-/// Writes DIR/study.csv: one row per point; docs/study.md explains the columns. Throws Error(output).
+/// One row per point, after a row of names; docs/study.md explains the columns.
+std::string study_csv(const Study& study);
+
+/// Writes it as DIR/study.csv. Throws Error(output).
 void write_study_csv(const std::filesystem::path& path, const Study& study);
 
 /// The points in a study.json whose facts agree in `identity` with `facts`; none if there is no such file.

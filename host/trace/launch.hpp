@@ -12,6 +12,7 @@ struct OcclusionTracer::Launch {
   std::uint32_t directions = 1;        // directions in each task's camera sample
   std::uint32_t total_directions = 1;  // of a camera sample in the whole render
   cl_mem points = nullptr;             // given; otherwise `primary` makes them
+  std::size_t point_count = 0;         // of those given: films have so many pixels for each randomisation
   bool first_directions = true;        // the tasks hold their camera samples' first directions
   std::vector<Finished> finished;      // what the tasks amount to
 };

@@ -142,6 +142,7 @@ void OcclusionTracer::submit(Slot& slot) {
     arguments.receivers = receivers_[e].get();
     arguments.triangle_groups = triangle_groups_.get();
     arguments.first_of_group = first_of_group_.get();
+    arguments.point_set = point_set_.get();
     KernelCall call(effects_[e]);
     add_arguments(call, plan_,
                   arguments_of(effect.effect.only_self ? trees_of_groups_ : trees_[effect.tree]));
@@ -164,7 +165,10 @@ void OcclusionTracer::harvest(Slot& slot, std::span<Film> films) {
     if (planes) read_buffer(device_, slot.extra[e], extra.data(), extra.size() * sizeof(std::uint64_t));
     Film& film = films[e];
     for (std::size_t t = 0; t < results.size(); ++t) {
-      const std::size_t i = launch.points ? launch.tasks[t].pixel : plan_.film_index(launch.tasks[t].pixel);
+      const Task& task = launch.tasks[t];
+      const std::size_t i = launch.points
+                                ? task.point + launch.point_count * (std::max(1u, task.first_sample) - 1)
+                                : plan_.film_index(task.pixel);
       film.sum[i] += results[t].sum;
       film.sum_square[i] += results[t].sum_square;
       film.replicates[i] += plan_.replicate_directions ? launch.samples * launch.directions : launch.samples;

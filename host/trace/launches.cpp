@@ -62,18 +62,33 @@ Film OcclusionTracer::estimate_points(std::span<const SurfacePoint> points, std:
 
 std::vector<Film> OcclusionTracer::estimate_all(std::span<const SurfacePoint> points,
                                                 std::uint32_t directions, const Progress& progress) {
+  return estimate_list(points, 0, 0, directions, progress);
+}
+
+std::vector<Film> OcclusionTracer::estimate_randomised(std::span<const SurfacePoint> points,
+                                                       std::uint32_t first_row, std::uint32_t count,
+                                                       std::uint32_t directions, const Progress& progress) {
+  return estimate_list(points, first_row, count, directions, progress);
+}
+
+// Randomisation after randomisation, numbered from 1; 0 of them: the seed that the tracer has.
+std::vector<Film> OcclusionTracer::estimate_list(std::span<const SurfacePoint> points,
+                                                 std::uint32_t first_row, std::uint32_t randomisations,
+                                                 std::uint32_t directions, const Progress& progress) {
   const std::vector<SurfacePoint> held(points.begin(), points.end());
   const ClBuffer buffer = device_.input(held);
+  const std::uint32_t last = randomisations;
   std::vector<Film> films;
   for (const EffectPlan& planned : plan_.effects)
-    films.emplace_back(int(points.size()), 1, planned.sum_scale, planned.square_scale,
+    films.emplace_back(int(points.size()), int(std::max(1u, last)), planned.sum_scale, planned.square_scale,
                        plan_.replicate_directions ? 1 : directions, planned.extra_planes());
   for (std::size_t e = 0; e < films.size(); ++e) films[e].settings = plan_.effects[e].settings();
-  std::uint32_t direction = 0;
+  std::uint32_t direction = 0, number = std::min(1u, last);
   std::size_t row = 0;
   const NextLaunch next = [&](Launch& launch) {
     if (direction >= directions || points.empty()) return false;
     launch.points = buffer.get();
+    launch.point_count = points.size();
     launch.samples = 1;
     launch.directions = std::min(directions_per_task, directions - direction);
     launch.total_directions = directions;
@@ -83,12 +98,13 @@ std::vector<Film> OcclusionTracer::estimate_all(std::span<const SurfacePoint> po
     while (launch.tasks.size() < room && direction < directions &&
            std::min(directions_per_task, directions - direction) == launch.directions &&
            (direction == 0) == launch.first_directions) {
-      launch.tasks.push_back({nook_uint(row), 0, direction, nook_uint(row)});
+      launch.tasks.push_back({first_row + nook_uint(row), number, direction, nook_uint(row)});
       launch.finished.push_back({row, row + 1, {direction, launch.directions}});
-      if (++row == points.size()) {
-        row = 0;
-        direction += launch.directions;
-      }
+      if (++row < points.size()) continue;
+      row = 0;
+      if (++number <= last) continue;
+      number = std::min(1u, last);
+      direction += launch.directions;
     }
     return true;
   };

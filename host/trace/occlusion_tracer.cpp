@@ -58,6 +58,7 @@ OcclusionTracer::OcclusionTracer(const Device& device, const Plan& plan, const T
   normals_ = optional(plan_.vertex_normals, mesh.normals);
   triangle_normals_ = optional(plan_.vertex_normals, mesh.triangle_normals);
   triangle_materials_ = optional(plan_.materials, mesh.triangle_material);
+  point_set_ = optional(!plan_.point_set.empty(), plan_.point_set);
   exponents_ = optional(!plan_.exponents.empty(), plan_.exponents);
   trees_.push_back(upload(bvh));
   upload_sets(mesh);

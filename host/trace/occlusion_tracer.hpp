@@ -105,6 +105,12 @@ class OcclusionTracer {
   /// The same for every effect of the plan.
   std::vector<Film> estimate_all(std::span<const SurfacePoint> points, std::uint32_t directions,
                                  const Progress& progress = nullptr);
+  /// `count` randomisations of each point, `directions` directions each, with the seeds that
+  /// Randomisations::seed_of() has for this one: films of points.size() x count "pixels". Point i has the
+  /// random numbers of row first_row + i. Needs a plan with one camera sample a pixel.
+  std::vector<Film> estimate_randomised(std::span<const SurfacePoint> points, std::uint32_t first_row,
+                                        std::uint32_t count, std::uint32_t directions,
+                                        const Progress& progress = nullptr);
 
   const RenderCounters& counters() const { return counters_; }
   double build_seconds() const { return build_seconds_; }
@@ -128,6 +134,10 @@ class OcclusionTracer {
   };
 
   ClKernel kernel(const KernelPlan& kernel) const;
+  std::vector<Film> estimate_list(std::span<const SurfacePoint> points, std::uint32_t first_row,
+                                  std::uint32_t randomisations, std::uint32_t directions,
+                                  const Progress& progress);
+
   // What no kernel reads is not uploaded; an argument needs a buffer all the same.
   template <class T>
   ClBuffer optional(bool wanted, const std::vector<T>& data) const;
@@ -153,7 +163,7 @@ class OcclusionTracer {
   std::vector<Tree> trees_;  // the scene's, then those of sets
   Tree trees_of_groups_;
   ClBuffer positions_, triangles_, normals_, triangle_normals_, triangle_materials_, exponents_,
-      triangle_groups_, first_of_group_, cut_triangles_, opacity_maps_, opacity_;
+      triangle_groups_, first_of_group_, point_set_, cut_triangles_, opacity_maps_, opacity_;
   std::vector<ClBuffer> receivers_;  // by effect
   Programs programs_;                // effects with the same options share one
   ClKernel primary_;

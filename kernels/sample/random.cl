@@ -38,6 +38,16 @@ float uint_to_unit_float(uint bits) { return (float)(bits >> 8) * 0x1p-24f; }
 // Uniform integer in [0, n) from 32 random bits: the high word of bits * n. Off by less than n 2^-32 (relative).
 uint uint_below(uint bits, uint n) { return (uint)(((ulong)bits * n) >> 32); }
 
+// The seed of randomisation `number`, from 1, of `seed`; of 0, the seed itself. Steele, Lea and Flood 2014, splitmix64, as
+// Randomisations::seed_of() in host/trace has it.
+uint seed_of_randomisation(uint seed, uint number) {
+  if (number == 0u) return seed;
+  ulong x = ((ulong)seed << 32 | (number - 1u)) + 0x9e3779b97f4a7c15ul;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ul;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebul;
+  return (uint)((x ^ (x >> 31)) >> 32);
+}
+
 uint reverse_bits(uint x) {
   x = (x >> 16) | (x << 16);
   x = ((x & 0xff00ff00u) >> 8) | ((x & 0x00ff00ffu) << 8);

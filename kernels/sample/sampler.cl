@@ -12,6 +12,8 @@
 //   zorder       the same points, but one sequence for the whole image, dealt to pixels in a scrambled Z-order:
 //                neighbouring pixels continue each other's net and their errors repel (Ahmed and Wonka 2020,
 //                "Screen-Space Blue-Noise Diffusion of Monte Carlo Sampling Error via Hierarchical Ordering of Pixels")
+//   points       a set of D points that is given, for point lists: the same for every row, shifted by a vector of its own
+//                modulo 1 (Cranley and Patterson 1976), or as it is (POINTS_AS_THEY_ARE)
 #ifndef NOOK_SAMPLER_CL
 #define NOOK_SAMPLER_CL
 
@@ -28,7 +30,11 @@
 #define STREAM_HALTON 0x48616c74u
 #define STREAM_STRATIFIED 0x53747261u
 #define STREAM_ZORDER 0x5a6f7264u
+#define STREAM_POINTS 0x506f696eu
 #define CAMERA_DIRECTION 0xffffffffu  // the direction index that stands for the camera sample itself
+
+// With one camera sample a pixel, tasks may have seeds of their own (Task.first_sample).
+#define SEED(k) (REPLICATE_DIRECTIONS ? seed[k] : p->seed)
 
 // The low 16 bits of x, each with a 0 above it.
 uint spread_bits(uint x) {
@@ -54,6 +60,12 @@ INLINE uint zorder_index(uint pixel, uint i, uint count, uint width, uint seed, 
   *tile = (uint)(place >> 32);
   uint index = (uint)place | i;
   return reverse_bits(owen_scramble_reversed(reverse_bits(index), pcg(seed ^ STREAM_ZORDER)));
+}
+
+// x + y modulo 1, of multiples of 2^-24 in [0,1): exact.
+float sum_modulo_1(float x, float y) {
+  const float rest = 1.0f - y;
+  return x >= rest ? x - rest : x + y;
 }
 
 // Where camera sample `sample` lies in its pixel, in [0,1)²: the centre if it is the only one.
@@ -96,28 +108,28 @@ INLINE float2 sample_pixel(uint pixel, uint sample, const EstimatorParams* p) {
   return u;
 }
 
-// The points that directions direction[k] of camera samples sample[k] of pixels pixel[k] are warped from, in [0,1)²; `count` of them, at
-// most 16. A CPU's compiler makes 8 or 16 at a time of a constant number of them.
-INLINE void sample_directions(const uint* pixel, const uint* sample, const uint* direction, uint count, const EstimatorParams* p,
-                              float* ux, float* uy) {
+// The points that directions direction[k] of camera samples sample[k] of pixels pixel[k] are warped from, in [0,1)², from seeds
+// seed[k]; `count` of them, at most 16. A CPU's compiler makes 8 or 16 at a time of a constant number of them.
+INLINE void sample_directions(const uint* pixel, const uint* sample, const uint* direction, const uint* seed, uint count,
+                              const EstimatorParams* p, __global const float* point_set, float* ux, float* uy) {
   const uint points = p->total_samples * p->total_directions;
   uint index[16];
   for (uint k = 0; k < count; ++k) index[k] = sample[k] * p->total_directions + direction[k];
   if (SAMPLER == SAMPLER_INDEPENDENT)
     for (uint k = 0; k < count; ++k) {
-      uint4 h = pcg4d(pixel[k], sample[k], direction[k], p->seed);
+      uint4 h = pcg4d(pixel[k], sample[k], direction[k], SEED(k));
       ux[k] = uint_to_unit_float(h.x);
       uy[k] = uint_to_unit_float(h.y);
     }
   if (SAMPLER == SAMPLER_STRATIFIED) {
     uint key[16];
-    for (uint k = 0; k < count; ++k) key[k] = pcg4d(pixel[k], p->seed, STREAM_STRATIFIED, 1u).x;
+    for (uint k = 0; k < count; ++k) key[k] = pcg4d(pixel[k], SEED(k), STREAM_STRATIFIED, 1u).x;
     stratified_point(index, key, count, points, ux, uy);
   }
   if (SAMPLER == SAMPLER_HALTON) {
     uint key_x[16], key_y[16];
     for (uint k = 0; k < count; ++k) {
-      uint4 key = pcg4d(pixel[k], p->seed, STREAM_HALTON, 0u);
+      uint4 key = pcg4d(pixel[k], SEED(k), STREAM_HALTON, 0u);
       key_x[k] = key.x;
       key_y[k] = key.y;
     }
@@ -126,7 +138,7 @@ INLINE void sample_directions(const uint* pixel, const uint* sample, const uint*
   }
   if (SAMPLER == SAMPLER_SOBOL)
     for (uint k = 0; k < count; ++k) {
-      uint4 key = pcg4d(pixel[k], p->seed, STREAM_SOBOL, 0u);
+      uint4 key = pcg4d(pixel[k], SEED(k), STREAM_SOBOL, 0u);
       float2 u = sobol01(index[k], key.x, key.y);
       ux[k] = u.x;
       uy[k] = u.y;
@@ -134,19 +146,28 @@ INLINE void sample_directions(const uint* pixel, const uint* sample, const uint*
   if (SAMPLER == SAMPLER_ZORDER)
     for (uint k = 0; k < count; ++k) {
       uint tile;
-      uint shuffled = zorder_index(pixel[k], index[k], points, p->width, p->seed, &tile);
-      uint4 key = pcg4d(tile, p->seed, STREAM_ZORDER, 0u);
+      uint shuffled = zorder_index(pixel[k], index[k], points, p->width, SEED(k), &tile);
+      uint4 key = pcg4d(tile, SEED(k), STREAM_ZORDER, 0u);
       float2 u = sobol01(shuffled, key.x, key.y);
       ux[k] = u.x;
       uy[k] = u.y;
     }
+  if (SAMPLER == SAMPLER_POINTS)
+    for (uint k = 0; k < count; ++k) {
+      ux[k] = point_set[2u * direction[k]];
+      uy[k] = point_set[2u * direction[k] + 1u];
+      if (POINTS_AS_THEY_ARE) continue;
+      uint4 key = pcg4d(pixel[k], SEED(k), STREAM_POINTS, 0u);
+      ux[k] = sum_modulo_1(ux[k], uint_to_unit_float(key.x));
+      uy[k] = sum_modulo_1(uy[k], uint_to_unit_float(key.y));
+    }
 }
 
-// One of them.
+// One of them, from the seed that all have.
 INLINE float2 sample_direction(uint pixel, uint sample, uint direction, const EstimatorParams* p) {
   float2 u;
   float x, y;
-  sample_directions(&pixel, &sample, &direction, 1u, p, &x, &y);
+  sample_directions(&pixel, &sample, &direction, &p->seed, 1u, p, 0, &x, &y);
   u.x = x;
   u.y = y;
   return u;

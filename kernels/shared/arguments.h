@@ -43,7 +43,8 @@
   OUT(nook_ulong, bent)          /* BENT: 3 a task */                          \
   IN(nook_uint, receivers)       /* RECEIVERS: a bit a triangle */             \
   IN(nook_uint, triangle_groups) /* ONLY_SELF: of each triangle */             \
-  IN(nook_uint, first_of_group)  /* ONLY_SELF: each group's first node, leaf */
+  IN(nook_uint, first_of_group)  /* ONLY_SELF: each group's first node, leaf */ \
+  IN(float, point_set)           /* SAMPLER_POINTS: 2 a direction */
 
 #ifdef __OPENCL_C_VERSION__
 #define IN_PARAM(type, name) , __global const type *name

@@ -6,7 +6,8 @@
 
 typedef struct {
   nook_uint pixel;            // y * width + x, or the row of a point list: the random numbers' key
-  nook_uint first_sample;     // index of the first camera sample
+  nook_uint first_sample;     // index of the first camera sample; with REPLICATE_DIRECTIONS, where there is one alone, the number
+                              // of the randomisation whose seed the task has (seed_of_randomisation())
   nook_uint first_direction;  // index of the first direction of each camera sample
   nook_uint point;            // index of this task's first SurfacePoint; sample s of the task is at point + s
 } Task;

@@ -16,7 +16,7 @@
 
 // What each ray's direction is a function of; the fields that the effect does not need are not read.
 typedef struct {
-  uint pixel[32], sample[32], direction[32];  // the random numbers' key, as sample_direction() has it
+  uint pixel[32], sample[32], direction[32], seed[32];  // the random numbers' key, as sample_directions() has it
   float nx[32], ny[32], nz[32];               // shading normals, unit
   float vx[32], vy[32], vz[32];               // to the viewer, unit
   float exponent[32];
@@ -24,7 +24,7 @@ typedef struct {
 
 void clear_keys(RayKeys* keys) {
   for (uint k = 0; k < 32u; ++k) {
-    keys->pixel[k] = keys->sample[k] = keys->direction[k] = 0u;
+    keys->pixel[k] = keys->sample[k] = keys->direction[k] = keys->seed[k] = 0u;
     keys->nx[k] = keys->ny[k] = keys->nz[k] = keys->vx[k] = keys->vy[k] = keys->vz[k] = keys->exponent[k] = 0.0f;
   }
 }
@@ -41,10 +41,12 @@ INLINE float sample_effect(float2 u, float3 normal, float3 view, float exponent,
 
 // Directions and weights of the first `count` rays. Returns those for which both are finite; *active: those with a weight above 0 besides.
 // In both, the bits behind the first `count` mean nothing.
-INLINE uint make_directions(const RayKeys* keys, uint count, const EstimatorParams* p, RayDirections* d, float* weight, uint* active) {
+INLINE uint make_directions(const RayKeys* keys, uint count, const EstimatorParams* p, __global const float* point_set,
+                            RayDirections* d, float* weight, uint* active) {
   float ux[32], uy[32];
   for (uint k = 0; k < count; k += RAYS_TOGETHER)
-    sample_directions(keys->pixel + k, keys->sample + k, keys->direction + k, RAYS_TOGETHER, p, ux + k, uy + k);
+    sample_directions(keys->pixel + k, keys->sample + k, keys->direction + k, keys->seed + k, RAYS_TOGETHER, p, point_set, ux + k,
+                      uy + k);
   uint finite = 0, traced = 0;
   for (uint first = 0; first < count; first += DIRECTIONS_TOGETHER)
     for (uint k = first; k < first + DIRECTIONS_TOGETHER; ++k) {

@@ -96,9 +96,11 @@ __kernel void occlusion(BVH_PARAMS OCCLUSION_ARGUMENTS(IN_PARAM, OUT_PARAM, VALU
         if (REACH) asked.nx[j] = normal.x, asked.ny[j] = normal.y, asked.nz[j] = normal.z;
         if (REACH && ONLY_SELF) asked.set[j] = triangle_groups[point->triangle];
         if (isfinite(origin.x + origin.y + origin.z)) sound |= of_one << j * count;
+        const uint seed = REPLICATE_DIRECTIONS ? seed_of_randomisation(p.seed, of.first_sample) : p.seed;
+        const uint camera_sample = REPLICATE_DIRECTIONS ? 0u : of.first_sample + number[j];
         for (uint k = 0; k < count; ++k) {
           const uint ray = j * count + k;
-          keys.pixel[ray] = of.pixel, keys.sample[ray] = of.first_sample + number[j];
+          keys.pixel[ray] = of.pixel, keys.sample[ray] = camera_sample, keys.seed[ray] = seed;
           keys.direction[ray] = of.first_direction + begin + k;
           keys.nx[ray] = normal.x, keys.ny[ray] = normal.y, keys.nz[ray] = normal.z;
           keys.vx[ray] = view.x, keys.vy[ray] = view.y, keys.vz[ray] = view.z;
@@ -110,7 +112,7 @@ __kernel void occlusion(BVH_PARAMS OCCLUSION_ARGUMENTS(IN_PARAM, OUT_PARAM, VALU
       float weight[STREAM];
       uint active;
       // A NaN normal or origin would pass for an open direction: no comparison with a NaN holds.
-      sound &= make_directions(&keys, rays, &p, &directions, weight, &active);
+      sound &= make_directions(&keys, rays, &p, point_set, &directions, weight, &active);
       active &= sound;
       for (uint j = 0; j < found; ++j) {
         result[item[j]].rejected += popcount(~sound >> j * count & of_one);

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/error.hpp"
 #include "film/bent_cone.hpp"
 #include "render/picture_run.hpp"
@@ -40,6 +43,8 @@ Estimates estimates_of(const Film& film, double weight_bound) {
   return made;
 }
 
+}  // namespace
+
 std::vector<Layer> layers_of(const Plan& plan) {
   std::vector<Layer> layers;
   for (const LayerPlan& layer : plan.layers) {
@@ -55,8 +60,6 @@ std::vector<Layer> layers_of(const Plan& plan) {
   return layers;
 }
 
-}  // namespace
-
 Estimates estimate(Workspace& workspace, const PointRequest& request, RunObserver& observer) {
   const std::lock_guard lock(workspace.mutex);
   Scene scene = workspace.scene();
@@ -67,6 +70,8 @@ Estimates estimate(Workspace& workspace, const PointRequest& request, RunObserve
   scene = scene_at_points(std::move(scene), request.samples);
   Workspace::Use use{needed_attributes(scene)};
   use.attributes.normals = false;
+  use.point_set = request.point_set;
+  use.shift_points = request.shift_points;
   SceneRenderer& renderer = workspace.renderer(scene, use);
   if (request.kind == EffectKind::ro && request.views.empty())
     throw Error(ErrorKind::usage, "views: RO needs the directions to the viewer");
@@ -77,7 +82,11 @@ Estimates estimate(Workspace& workspace, const PointRequest& request, RunObserve
   const Film film = std::move(renderer.estimate(points, request.samples, &observer).front());
   warn_of_rejected(before, renderer.tracer(), observer);
   renderer.tracer().store_programs();
-  return estimates_of(film, renderer.plan().effects[0].weight_bound);
+  Estimates made = estimates_of(film, renderer.plan().effects[0].weight_bound);
+  // One set of points has no spread that would tell an error.
+  if (request.samples == request.point_set.size())
+    std::fill_n(made.standard_error.begin(), points.size(), NAN);
+  return made;
 }
 
 Picture render(Workspace& workspace, const std::string& settings, const std::vector<std::string>& aovs,

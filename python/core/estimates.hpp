@@ -22,6 +22,8 @@ struct Estimates {
 struct PointRequest {
   EffectKind kind = EffectKind::ao;
   std::vector<double> points, normals, views;
+  std::vector<vec2> point_set;  ///< in [0,1)^2, to take directions from; empty: the scene's sampler
+  bool shift_points = true;     ///< Plan::shift_points
   std::uint32_t samples = 1024;
   std::string settings;
 };
@@ -34,6 +36,8 @@ struct Layer {
   std::string name;
   std::vector<std::string> channels;
 };
+
+std::vector<Layer> layers_of(const Plan& plan);
 
 struct Picture {
   Image image;

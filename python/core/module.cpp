@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "base/error.hpp"
+#include "calls.hpp"
 #include "errors.hpp"
 #include "estimates.hpp"
 #include "image/exr.hpp"
@@ -30,38 +31,13 @@ std::vector<double> doubles(PyObject* array, const char* name) {
 
 namespace {
 
-// What Python holds is a capsule of a shared_ptr: a job that goes on alone keeps what it uses.
-template <class T>
-struct Held {
-  static const char* name;
-  static Object hold(std::shared_ptr<T> value) {
-    return Object(PyCapsule_New(new std::shared_ptr<T>(std::move(value)), name, [](PyObject* capsule) {
-      auto* held = static_cast<std::shared_ptr<T>*>(PyCapsule_GetPointer(capsule, name));
-      if (!is_forked()) delete held;
-    }));
-  }
-  static std::shared_ptr<T> of(PyObject* capsule) {
-    auto* held = static_cast<std::shared_ptr<T>*>(PyCapsule_GetPointer(capsule, name));
-    if (!held) throw ErrorIsSet();
-    return *held;
-  }
-};
-template <>
-const char* Held<Workspace>::name = "nook.workspace";
-template <>
-const char* Held<Picture>::name = "nook.picture";
-
-template <class... Places>
-void parse(PyObject* arguments, const char* format, Places... places) {
-  if (!PyArg_ParseTuple(arguments, format, places...)) throw ErrorIsSet();
-}
-
-// A file's name by os.fspath() and os.fsencode().
-std::filesystem::path path_of(PyObject* object) {
-  PyObject* encoded = nullptr;
-  if (!PyUnicode_FSConverter(object, &encoded)) throw ErrorIsSet();
-  const Object bytes(encoded);
-  return std::string(PyBytes_AsString(bytes.get()), std::size_t(PyBytes_Size(bytes.get())));
+std::vector<vec2> pairs(PyObject* array) {
+  if (array == Py_None) return {};
+  const Buffer buffer(array);
+  const auto values = buffer.as<float>();
+  std::vector<vec2> made;
+  for (std::size_t i = 0; i + 1 < values.size(); i += 2) made.emplace_back(values[i], values[i + 1]);
+  return made;
 }
 
 TriangleMesh mesh_of(PyObject* vertices, PyObject* faces, PyObject* normals) {
@@ -103,14 +79,16 @@ PyObject* open(PyObject*, PyObject* arguments) {
   });
 }
 
-// estimate(workspace, type, points, normals, views or None, samples, settings, progress): a dict of
-// bytearrays.
+// estimate(workspace, type, points, normals, views or None, samples, point set or None, shift, settings,
+// progress): a dict of bytearrays.
 PyObject* estimate_at_points(PyObject*, PyObject* arguments) {
   return guarded([&] {
-    PyObject *capsule, *points, *normals, *views, *progress;
+    PyObject *capsule, *points, *normals, *views, *point_set, *progress;
     const char *type, *settings;
     unsigned samples;
-    parse(arguments, "OsOOOIsO", &capsule, &type, &points, &normals, &views, &samples, &settings, &progress);
+    int shift;
+    parse(arguments, "OsOOOIOpsO", &capsule, &type, &points, &normals, &views, &samples, &point_set, &shift,
+          &settings, &progress);
     check_fork();
     struct Call {
       std::shared_ptr<Workspace> workspace;
@@ -123,6 +101,8 @@ PyObject* estimate_at_points(PyObject*, PyObject* arguments) {
                      doubles(points, "points"),
                      doubles(normals, "normals"),
                      doubles(views, "views"),
+                     pairs(point_set),
+                     shift != 0,
                      samples,
                      settings};
     run_job(progress, [call](RunObserver& observer) {
@@ -137,28 +117,6 @@ PyObject* estimate_at_points(PyObject*, PyObject* arguments) {
     set(dict, "half_angle", bytes_of(e.half_angle));
     return dict;
   });
-}
-
-Object channel_of(const Channel& channel) {
-  return std::visit(
-      [&](const auto& values) {
-        const bool whole = std::is_same_v<decltype(values), const std::vector<std::uint32_t>&>;
-        return tuple(text(channel.name), text(whole ? "uint32" : "float32"), bytes_of(values));
-      },
-      channel.values);
-}
-
-Object result_of(Picture made) {
-  Object dict(PyDict_New());
-  set(dict, "width", number(std::uint64_t(made.image.width)));
-  set(dict, "height", number(std::uint64_t(made.image.height)));
-  set(dict, "complete", Object(PyBool_FromLong(made.complete)));
-  set(dict, "channels", list(made.image.channels, channel_of));
-  set(dict, "layers", list(made.layers, [](const Layer& layer) {
-        return tuple(text(layer.name), list(layer.channels, text));
-      }));
-  set(dict, "picture", Held<Picture>::hold(std::make_shared<Picture>(std::move(made))));
-  return dict;
 }
 
 // render(workspace, settings, aovs, progress): a dict of a picture.
@@ -177,14 +135,7 @@ PyObject* render_picture(PyObject*, PyObject* arguments) {
     const auto call = std::make_shared<Call>();
     call->workspace = Held<Workspace>::of(capsule);
     call->settings = settings;
-    std::string name;
-    for (const char c : std::string(aovs) + ' ') {
-      if (c != ' ') {
-        name += c;
-      } else if (!name.empty()) {
-        call->aovs.push_back(std::exchange(name, {}));
-      }
-    }
+    call->aovs = words_of(aovs);
     run_job(progress, [call](RunObserver& observer) {
       call->made = render(*call->workspace, call->settings, call->aovs, observer);
     });
@@ -205,10 +156,14 @@ PyObject* save(PyObject*, PyObject* arguments) {
       throw Error(ErrorKind::usage, Place{path.string()}, "not a format that is written here (.exr, .png)");
     {
       const WithoutGil others_run;
-      if (extension == ".png")
+      if (extension == ".png") {
         write_png(path, picture->image, picture->background);
-      else
-        write_exr(path, picture->image);
+      } else {
+        Image image = picture->image;
+        image.metadata["nook/folder"] =
+            std::filesystem::absolute(path).lexically_normal().parent_path().string();
+        write_exr(path, image);
+      }
     }
     return Object(Py_NewRef(Py_None));
   });
@@ -228,7 +183,13 @@ PyMethodDef methods[] = {
     {"open", open, METH_VARARGS, nullptr},
     {"estimate", estimate_at_points, METH_VARARGS, nullptr},
     {"render", render_picture, METH_VARARGS, nullptr},
+    {"bake", bake_onto_mesh, METH_VARARGS, nullptr},
+    {"bake_texture", bake_into_texture, METH_VARARGS, nullptr},
+    {"save_bake", save_bake, METH_VARARGS, nullptr},
     {"save", save, METH_VARARGS, nullptr},
+    {"plan", plan_of, METH_O, nullptr},
+    {"info", info_of, METH_O, nullptr},
+    {"study", make_study, METH_VARARGS, nullptr},
     {"toml", toml, METH_O, nullptr},
     {"devices", [](PyObject*, PyObject*) { return guarded(devices); }, METH_NOARGS, nullptr},
     {"keys", [](PyObject*, PyObject*) { return guarded(keys); }, METH_NOARGS, nullptr},

@@ -84,7 +84,9 @@ Workspace::Base& Workspace::base(const Scene& scene, const Use& use) {
 SceneRenderer& Workspace::renderer(const Scene& scene, const Use& use) {
   check_fork();
   Base& of = base(scene, use);
-  const std::string key = to_toml(scene) + (use.surface ? "# surface" : "");
+  std::string key = to_toml(scene) + (use.surface ? "# surface" : use.shift_points ? "" : "# as they are");
+  if (!use.point_set.empty())
+    key.append(reinterpret_cast<const char*>(use.point_set.data()), use.point_set.size() * sizeof(vec2));
   const auto found = std::find_if(ready_.begin(), ready_.end(),
                                   [&](const Ready& ready) { return ready.base == &of && ready.key == key; });
   if (found != ready_.end()) {
@@ -93,12 +95,21 @@ SceneRenderer& Workspace::renderer(const Scene& scene, const Use& use) {
   }
   if (!of.renderer) {
     use_device();
-    of.renderer = std::make_unique<SceneRenderer>(scene_, std::move(of.mesh),
-                                                  [device = device_] { return open(device); });
+    SceneRendererOptions options;
+    options.mesh_of_files = of_file_;
+    of.renderer = std::make_unique<SceneRenderer>(
+        scene_, std::move(of.mesh), [device = device_] { return open(device); }, std::move(options));
   }
   ready_.push_front({&of, key, SceneRenderer(*of.renderer, scene, use.surface)});
   if (ready_.size() > most_ready) ready_.pop_back();
-  return ready_.front().renderer;
+  SceneRenderer& made = ready_.front().renderer;
+  if (!use.point_set.empty()) {
+    Plan plan = made.plan();
+    plan.point_set = use.point_set;
+    plan.shift_points = use.shift_points;
+    made.set_plan(std::move(plan));
+  }
+  return made;
 }
 
 std::vector<std::string> Workspace::take_warnings() {

@@ -30,12 +30,17 @@ class Workspace {
 
   /// What a renderer is for.
   struct Use {
-    MeshAttributes attributes;  ///< that it reads
-    bool surface = false;       ///< SceneRendererOptions::surface
-    bool copies = false;        ///< triangles themselves are read: instances are copies
+    MeshAttributes attributes;         ///< that it reads
+    bool surface = false;              ///< SceneRendererOptions::surface
+    bool copies = false;               ///< triangles themselves are read: instances are copies
+    std::vector<vec2> point_set = {};  ///< Plan::point_set
+    bool shift_points = true;          ///< Plan::shift_points
   };
   /// Of `scene`, which is this one with other settings; valid until the next call. Throws Error.
   SceneRenderer& renderer(const Scene& scene, const Use& use);
+
+  /// The scene's mesh with at least these attributes, its instances as the scene has them; likewise.
+  const TriangleMesh& mesh(const MeshAttributes& attributes) { return base(scene_, {attributes}).get(); }
 
   /// What readers warned of since the last call, a line each.
   std::vector<std::string> take_warnings();

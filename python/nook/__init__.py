@@ -11,7 +11,7 @@ See docs/python.md.
 import atexit
 from typing import Any, Dict, List
 
-from . import _core
+from . import _core, _keys
 from ._errors import (
     DeviceError,
     Error,
@@ -22,10 +22,13 @@ from ._errors import (
     SceneWarning,
     UsageError,
 )
+from ._bake import Bake
 from ._picture import Picture
 from ._scene import BentEstimates, Estimates, Scene
+from ._study import Study, study
 
 __all__ = [
+    "Bake",
     "BentEstimates",
     "DeviceError",
     "Error",
@@ -37,9 +40,13 @@ __all__ = [
     "Scene",
     "SceneError",
     "SceneWarning",
+    "Study",
     "UsageError",
     "devices",
+    "study",
 ]
+
+_keys.document(Scene)
 
 # An estimate that Ctrl-C ended may still be in a launch: the process must not end under it.
 atexit.register(_core.wait)

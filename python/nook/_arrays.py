@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, Tuple
+from typing import Any, Optional, Sequence, Tuple
 
 from ._errors import UsageError
 
@@ -59,3 +59,22 @@ def result(data: Any, dtype: str, shape: Optional[Tuple[int, ...]] = None) -> An
 
     array = np.frombuffer(data, dtype=dtype)
     return array if shape is None else array.reshape(shape)
+
+
+def array_of(values: Sequence[Any], dtype: str) -> Any:
+    import numpy as np
+
+    return np.array([float(value) for value in values] if dtype == "int64" else values).astype(dtype)
+
+
+def unit_points(name: str, value: Any) -> Any:
+    """Points of [0,1)^2, shape (n, 2), rounded down to multiples of 2^-24, as the kernels take them."""
+    import numpy as np
+
+    array = numbers(name, value, columns=2)
+    if array.shape[0] == 0:
+        raise UsageError(f"{name}: there are no points")
+    outside = np.flatnonzero(((array < 0) | (array >= 1)).any(axis=1))
+    if outside.size:
+        raise UsageError(f"{name}: row {outside[0]} is not in [0, 1)^2: {array[outside[0]].tolist()}")
+    return np.ascontiguousarray(np.floor(array * 2**24) * 2**-24, dtype="float32")

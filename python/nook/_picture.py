@@ -7,6 +7,7 @@ from typing import Any, Dict, Iterator, List, Mapping, Tuple, Union
 
 from . import _core
 from ._arrays import result
+from ._layers import layer
 
 
 class Picture(Mapping[str, Any]):
@@ -15,7 +16,7 @@ class Picture(Mapping[str, Any]):
 
     A layer is named as its effect is, or by its type; `channels` are those of the EXR file ("R", "N.X",
     "AO.variance"), and can be asked for by name as well, three that end in .X, .Y and .Z by what they begin
-    with ("N"). `complete` is False where an error or time target was missed.
+    with ("N"). numpy.asarray(picture) is the first layer. `complete` is False where an error or time target was missed.
     """
 
     def __init__(self, made: Dict[str, Any]) -> None:
@@ -35,25 +36,18 @@ class Picture(Mapping[str, Any]):
         return tuple(self._layers)
 
     def __getitem__(self, name: str) -> Any:
-        names = self._layers.get(name)
-        if names is None and name in self.channels:
-            names = [name]
-        if names is None:
-            names = [f"{name}.{axis}" for axis in "XYZ"]
-            if not all(each in self.channels for each in names):
-                known = ", ".join([*self._layers, *self.channels])
-                raise KeyError(f"{name!r} is not in this picture; there are {known}")
-        if len(names) == 1:
-            return self.channels[names[0]]
-        import numpy as np
-
-        return np.stack([self.channels[each] for each in names], axis=-1)
+        return layer(name, self._layers, self.channels, ".", "picture")
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._layers)
 
     def __len__(self) -> int:
         return len(self._layers)
+
+    def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
+        import numpy as np
+
+        return np.array(self[next(iter(self))], dtype=dtype)
 
     def save(self, file: Union[str, "os.PathLike[str]"]) -> None:
         """Writes the picture: an .exr file with every channel, or a .png of R, G, B, clamped to 0 to 1 and sRGB

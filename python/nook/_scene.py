@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+import json
 import os
-from typing import Any, Callable, Dict, NamedTuple, Optional, Tuple, Union
+from typing import Any, Dict, NamedTuple, Optional, Sequence, Tuple, Union
 
 from . import _core
-from ._arrays import indices, numbers, result, same_rows
+from ._arrays import indices, numbers, result, same_rows, unit_points
+from ._bake import Bake
 from ._errors import UsageError
 from ._picture import Picture
+from ._progress import Progress, told
 from ._settings import lines
-
-Progress = Callable[[int, int, int, float, float], Any]
 
 
 class Estimates(NamedTuple):
@@ -92,7 +93,7 @@ class Scene:
         self._workspace = _core.open(file, vertices, faces, normals, lines(settings), device)
 
     def ao(
-        self, points: Any, normals: Any, *, samples: int = 1024, progress: Optional[Progress] = None, **settings: Any
+        self, points: Any, normals: Any, *, samples: Optional[int] = None, progress: Progress = None, **settings: Any
     ) -> Estimates:
         """Ambient occlusion at points: 1 where everything is open, 0 where nothing is.
 
@@ -109,7 +110,16 @@ class Scene:
         The same seed gives the same bits as `nook probe --samples`; a point's random numbers follow from its
         row.
 
-        progress: called meanwhile as progress(samples, total, rays, error, share_done). Raises UsageError (a
+        sampler: a name, or an array of points of [0,1)^2, shape (m, 2): one's own point set. Each point takes
+        all of it, shifted by a random vector of its own, modulo 1 (Cranley and Patterson 1976); samples, m by
+        default, may be a multiple of m: then the set is taken so often, shifted anew each time, and the spread
+        of these means is the standard error, which is nan for a set that is taken once. shift=False takes the
+        set as it is at every point: it has m samples, and nothing of it is random. Points become directions by
+        Shirley and Chiu's map of the square to the disk (1997) and onto the hemisphere, by the density of
+        `sampling`: docs/estimators.md.
+
+        progress: True shows a bar in terminals and notebooks; a function is called meanwhile, as
+        progress(samples, total, rays, error, share_done). Raises UsageError (a
         ValueError) that names the argument and the first bad row, SceneError, DeviceError.
         """
         made, n = self._estimate("ao", points, normals, None, samples, progress, settings)
@@ -121,8 +131,8 @@ class Scene:
         normals: Any,
         views: Any,
         *,
-        samples: int = 1024,
-        progress: Optional[Progress] = None,
+        samples: Optional[int] = None,
+        progress: Progress = None,
         **settings: Any,
     ) -> Estimates:
         """Reflection occlusion at points: how much of a Phong lobe about the mirrored view is open.
@@ -139,7 +149,7 @@ class Scene:
         return Estimates(*_common(made, n))
 
     def bent(
-        self, points: Any, normals: Any, *, samples: int = 1024, progress: Optional[Progress] = None, **settings: Any
+        self, points: Any, normals: Any, *, samples: Optional[int] = None, progress: Progress = None, **settings: Any
     ) -> BentEstimates:
         """Bent normals at points: the mean unoccluded direction, and a cone about it.
 
@@ -155,7 +165,7 @@ class Scene:
         return BentEstimates(direction, result(made["half_angle"], "float32"), value, standard_error, count)
 
     def render(
-        self, *, aovs: Tuple[str, ...] = (), progress: Optional[Progress] = None, **settings: Any
+        self, *, aovs: Sequence[str] = (), progress: Progress = None, **settings: Any
     ) -> Picture:
         """The scene's picture: every effect that it asks for, as `nook render` makes it, to the same bits.
 
@@ -164,9 +174,54 @@ class Scene:
 
         Where an error or time target is missed, picture.complete is False. Raises as ao().
         """
-        if isinstance(aovs, str):
-            aovs = (aovs,)
-        return Picture(_core.render(self._open(), lines(settings), " ".join(aovs), progress))
+        with told(progress, "render") as call:
+            return Picture(_core.render(self._open(), lines(settings), _names("aovs", aovs), call))
+
+    def bake(
+        self,
+        to: str = "vertices",
+        *,
+        size: Optional[int] = None,
+        dilation: Optional[int] = None,
+        aovs: Sequence[str] = (),
+        progress: Progress = None,
+        **settings: Any,
+    ) -> Union[Bake, Picture]:
+        """Estimates of the scene's ao and bent effects on the mesh itself, as `nook bake` makes them, to the
+        same bits; spp x directions directions each.
+
+        to: "vertices" or "corners" (of the triangles, each with its own normal, so that hard edges stay hard):
+        a Bake; "texture": a Picture of the square texture that the mesh's texture coordinates cover, with the
+        layer "A", 1 where the mesh is. size: texels on a side (1024). dilation: rings of texels around charts
+        that repeat their nearest (8). aovs: more channels: normal, position, variance, samples.
+
+        Other keywords are keys of the scene. Raises SceneError (no texture coordinates, an effect that needs a
+        viewer), and as ao().
+        """
+        if to not in ("vertices", "corners", "texture"):
+            raise UsageError(f"to: vertices, corners or texture, not {to!r}")
+        workspace = self._open()
+        if to == "texture":
+            size = _whole("size", 1024 if size is None else size, 1, 16384)
+            dilation = _whole("dilation", 8 if dilation is None else dilation, 0, 1024)
+            with told(progress, "bake") as call:
+                names = _names("aovs", aovs)
+                return Picture(_core.bake_texture(workspace, size, dilation, names, lines(settings), call))
+        if size is not None or dilation is not None or aovs:
+            raise UsageError("size, dilation, aovs: are of textures")
+        with told(progress, "bake") as call:
+            made = _core.bake(workspace, to, lines(settings), call)
+        return Bake(made, to == "corners", self._description["faces"])
+
+    @property
+    def plan(self) -> Dict[str, Any]:
+        """What a render of the scene will do, what it leaves out and why, as `nook plan --json` says it."""
+        return json.loads(_core.plan(self._open()))  # type: ignore[no-any-return]
+
+    @property
+    def info(self) -> Dict[str, Any]:
+        """What is in the mesh, and what the scene's numbers resolve to, as `nook info --json` says it."""
+        return json.loads(_core.info(self._open()))  # type: ignore[no-any-return]
 
     def to_toml(self) -> str:
         """The scene as a scene file, every key that its effects read with its value."""
@@ -186,8 +241,11 @@ class Scene:
         return _made_again, (self._description,)
 
     def __repr__(self) -> str:
+        return f"<nook.Scene {self._name()}>"
+
+    def _name(self) -> str:
         file = self._description["file"]
-        return f"<nook.Scene {os.fspath(file) if file is not None else 'of arrays'}>"
+        return str(os.fspath(file)) if file is not None else "of arrays"
 
     def _open(self) -> Any:
         if self._workspace is None:
@@ -200,8 +258,8 @@ class Scene:
         points: Any,
         normals: Any,
         views: Any,
-        samples: int,
-        progress: Optional[Progress],
+        samples: Optional[int],
+        progress: Progress,
         settings: Dict[str, Any],
     ) -> Tuple[Dict[str, Any], int]:
         workspace = self._open()
@@ -211,15 +269,53 @@ class Scene:
         if views is not None:
             views = numbers("views", views)
             same_rows("views", views, "points", points.shape[0])
-        if isinstance(samples, bool) or not hasattr(samples, "__index__"):
-            raise UsageError(f"samples: an integer is needed, not {samples!r}")
-        samples = samples.__index__()
-        if not 1 <= samples <= 1 << 30:
-            raise UsageError(f"samples: {samples} is not from 1 to {1 << 30}")
+        point_set = None
+        sampler = settings.get("sampler")
+        shift = settings.pop("shift", True)
+        if sampler is not None and not isinstance(sampler, str):
+            point_set = unit_points("sampler", sampler)
+            del settings["sampler"]
+        samples = _directions(samples, point_set, shift)
         if points.shape[0] == 0:
             raise UsageError("points: there are no points")
-        made = _core.estimate(workspace, kind, points, normals, views, samples, lines(settings), progress)
+        with told(progress, kind) as call:
+            made = _core.estimate(
+                workspace, kind, points, normals, views, samples, point_set, shift, lines(settings), call
+            )
         return made, points.shape[0]
+
+
+def _whole(name: str, value: Any, least: int, most: int) -> int:
+    if isinstance(value, bool) or not hasattr(value, "__index__"):
+        raise UsageError(f"{name}: an integer is needed, not {value!r}")
+    number = int(value.__index__())
+    if not least <= number <= most:
+        raise UsageError(f"{name}: {number} is not from {least} to {most}")
+    return number
+
+
+def _names(argument: str, names: Any) -> str:
+    names = [names] if isinstance(names, str) else list(names)
+    for name in names:
+        if not isinstance(name, str) or not name or " " in name:
+            raise UsageError(f"{argument}: a list of names is needed, not {names!r}")
+    return " ".join(names)
+
+
+def _directions(samples: Optional[int], point_set: Any, shift: Any) -> int:
+    if not isinstance(shift, bool):
+        raise UsageError(f"shift: True or False is needed, not {shift!r}")
+    if point_set is None:
+        if not shift:
+            raise UsageError("shift: is of an array of points as sampler")
+        return _whole("samples", 1024 if samples is None else samples, 1, 1 << 30)
+    count = int(point_set.shape[0])
+    directions = count if samples is None else _whole("samples", samples, 1, 1 << 30)
+    if directions % count:
+        raise UsageError(f"samples: {directions} is no multiple of the {count} points of sampler")
+    if not shift and directions != count:
+        raise UsageError(f"samples: {directions} is not the number of points of sampler, {count}: they are not shifted")
+    return directions
 
 
 def _made_again(description: Dict[str, Any]) -> Scene:

@@ -9,6 +9,7 @@
 #include "render/point_estimates.hpp"
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
+#include "trace/randomisations.hpp"
 
 namespace nook::test {
 namespace {
@@ -59,6 +60,33 @@ TEST(Points, NoRayThatHitsIsNoCertainty) {
     EXPECT_EQ(film.value(0), 1);
     EXPECT_NEAR(standard_error(film, 0, 1), 3 / 1.96 / 512, 1e-5);
   }
+}
+
+// Randomisations share launches; each is what a launch of its own with its seed gives, and a point keeps its
+// random numbers wherever a list is cut.
+TEST(Points, RandomisationsTogetherAreThoseOneByOne) {
+  const PolygonCase c = polygon_cases()[0];
+  std::vector<SurfacePoint> points;
+  for (int i = 0; i < 37; ++i) points.push_back(surface_point({0.01f * float(i), 0, 0}, {0, 0, 1}, vec3(0)));
+  for (const EffectKind kind : {EffectKind::ao, EffectKind::bent})
+    for (const Sampler sampler : {Sampler::stratified, Sampler::halton, Sampler::sobol, Sampler::zorder}) {
+      const Scene scene = scene_of(kind, Sampling::cosine, sampler, 0);
+      Renderer renderer(scene, c.mesh);
+      OcclusionTracer& tracer = renderer.tracer();
+      const std::vector<Film> some = tracer.estimate_randomised(std::span(points).subspan(5), 5, 3, 24);
+      for (std::uint32_t r = 0; r < 3; ++r) {
+        tracer.set_samples(1, Randomisations::seed_of(scene.seed, r));
+        const Film alone = std::move(tracer.estimate_all(points, 24).front());
+        for (std::size_t i = 5; i < points.size(); ++i) {
+          const std::size_t at = r * (points.size() - 5) + i - 5;
+          ASSERT_EQ(some.front().sum[at], alone.sum[i]) << name_of(sampler) << ", " << r << ", " << i;
+          for (std::size_t plane = 0; plane < alone.extra.size(); ++plane)
+            ASSERT_EQ(some.front().extra[plane][at], alone.extra[plane][i]);
+        }
+        tracer.set_samples(1, scene.seed);
+      }
+      EXPECT_NE(some.front().sum[0], some.front().sum[points.size() - 5]) << name_of(sampler);
+    }
 }
 
 TEST(Points, ComeFromAFileOrStandardInput) {

@@ -13,3 +13,4 @@ inline uint clz(uint x) {
   return x == 0u ? 32u : static_cast<uint>(__builtin_clz(x));
 }
 #define __constant static const
+#define __global

@@ -18,6 +18,7 @@ class Renderer {
   Film at_points(std::vector<SurfacePoint> points, std::uint32_t directions);
   /// The same with the spread of randomisations, as probe and bakes have it.
   Film with_errors(std::vector<SurfacePoint> points, std::uint32_t directions);
+  OcclusionTracer& tracer() { return tracer_; }
   const RenderCounters& counters() const { return tracer_.counters(); }
 
  private:

@@ -1,11 +1,11 @@
-// nook bake SCENE: AO and bent normals at the mesh's vertices, as properties of a PLY file (--to vertices),
-// or at the texels that its texture coordinates reach (--to texture).
+// nook bake SCENE: AO and bent normals at the mesh's vertices or at its triangles' corners, as properties of
+// a PLY file (--to vertices, --to corners), or at the texels that its texture coordinates reach (--to
+// texture).
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <optional>
 
 #include "app/commands.hpp"
-#include "app/commands/bake_texture.hpp"
 #include "app/interrupt.hpp"
 #include "app/options/loading.hpp"
 #include "app/options/render_options.hpp"
@@ -14,10 +14,11 @@
 #include "base/counted.hpp"
 #include "base/error.hpp"
 #include "base/to_stderr.hpp"
-#include "film/bent_cone.hpp"
-#include "mesh/ply.hpp"
-#include "points/vertex_points.hpp"
-#include "render/scene_renderer.hpp"
+#include "image/exr.hpp"
+#include "image/png.hpp"
+#include "points/corner_points.hpp"
+#include "render/bake.hpp"
+#include "render/texture_bake.hpp"
 
 namespace nook {
 namespace {
@@ -26,99 +27,82 @@ struct BakeOptions {
   SceneOptions scene;
   DeviceOptions device;
   std::string to = "vertices";
-  TextureOptions texture;
+  std::optional<int> size, dilation;
+  std::vector<std::string> aovs;
   std::filesystem::path output;
+
+  bool to_texture() const { return to == "texture"; }
+  bool to_png() const { return output.extension() == ".png"; }
+  TextureRequest texture() const {
+    TextureRequest request;
+    request.size = size.value_or(request.size);
+    request.dilation = dilation.value_or(request.dilation);
+    request.aovs = aovs;
+    return request;
+  }
 };
 
-// The effects that need no viewer, all of a vertex's samples as directions from it.
-Scene bake_scene(const BakeOptions& options) {
-  Scene scene = options.scene.load();
-  std::erase_if(scene.effects,
-                [](const Effect& e) { return e.kind != EffectKind::ao && e.kind != EffectKind::bent; });
-  if (scene.effects.empty())
-    throw Error(ErrorKind::scene, Place{scene.file.string()}, "a bake needs an effect of type ao or bent");
-  options.scene.check_applicable(scene);
-  const std::uint64_t directions = std::uint64_t(scene.spp) * scene.directions;
-  if (directions > 1u << 26)
-    throw Error(ErrorKind::scene, Place{scene.file.string()},
-                fmt::format("spp x directions is {}, at most {} for a bake", directions, 1u << 26));
-  scene.directions = std::uint32_t(directions);
-  scene.spp = 1;
-  scene.denoise = false;
-  scene.crop.reset();
-  return scene;
+// Before anything is loaded: the output's format, what a PNG cannot hold, memory.
+void check_texture_options(const BakeOptions& options, const Scene& scene) {
+  const Place place{options.output.string()};
+  check_texture(options.texture(), scene);
+  if (!options.to_png() && options.output.extension() != ".exr")
+    throw Error(ErrorKind::usage, place, "a texture is an .exr or a .png file");
+  if (options.to_png() && scene.effects.front().kind == EffectKind::bent)
+    throw Error(ErrorKind::usage, place, "a PNG holds no directions; name an .exr file");
+  if (options.to_png() && (scene.effects.size() > 1 || !options.aovs.empty()))
+    throw Error(ErrorKind::usage, place, "a PNG holds one effect; name an .exr file for more");
 }
 
-std::vector<VertexProperty> properties_of(const EffectPlan& effect, const Film& film) {
-  const std::string name = effect.label();
-  std::vector<VertexProperty> made;
-  const auto add = [&](const std::string& property, auto get) {
-    std::vector<float> values(film.pixels());
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = get(i);
-    made.push_back({property, std::move(values)});
-  };
-  if (effect.effect.kind != EffectKind::bent) {
-    add(name, [&](std::size_t i) { return float(film.value(i)); });
-    return made;
-  }
-  static constexpr const char* axes[] = {"_x", "_y", "_z"};
-  for (int axis = 0; axis < 3; ++axis)
-    add(name + axes[axis], [&](std::size_t i) { return bent_cone(film, i).direction[axis]; });
-  add(name + "_cone", [&](std::size_t i) { return bent_cone(film, i).half_angle; });
-  add(name + "_ao", [&](std::size_t i) { return float(film.value(i)); });
-  return made;
+void write_texture(const BakeOptions& options, const TexturePoints& texels, SceneRenderer& renderer,
+                   RunObserver& observer) {
+  const Image image = bake_texture(renderer, texels, options.texture(), &observer);
+  if (options.to_png())
+    write_png(options.output, image);
+  else
+    write_exr(options.output, image);
+  to_stderr("{}: {} of {} covered, {} each\n", options.output.string(), texels.texels.size(),
+            counted(std::size_t(texels.size) * std::size_t(texels.size), "texel"),
+            counted(renderer.plan().directions, "direction"));
 }
 
-void write_vertices(const std::filesystem::path& output, SceneRenderer& renderer, RunObserver& observer) {
+void write_vertices(const BakeOptions& options, SceneRenderer& renderer, RunObserver& observer) {
   const TriangleMesh& mesh = renderer.mesh();
-  const Plan& plan = renderer.plan();
-  const std::vector<vec3> normals = position_normals(mesh);
-  const std::vector<Film> films = renderer.estimate(vertex_points(mesh, normals), plan.directions, &observer);
-  std::vector<VertexProperty> properties;
-  for (std::size_t e = 0; e < films.size(); ++e)
-    for (VertexProperty& property : properties_of(plan.effects[e], films[e]))
-      properties.push_back(std::move(property));
-  write_ply(output, mesh, normals, properties);
-  to_stderr("{}: {}, {} each\n", output.string(), counted(mesh.positions.size(), "vertex", "vertices"),
-            counted(plan.directions, "direction"));
+  const bool corners = options.to == "corners";
+  const MeshBake baked = corners ? bake_corners(renderer, &observer) : bake_vertices(renderer, &observer);
+  write_ply(options.output, corners ? corner_mesh(mesh) : mesh, baked.normals, baked.properties);
+  to_stderr(
+      "{}: {}, {} each\n", options.output.string(),
+      corners ? counted(baked.normals.size(), "corner") : counted(baked.normals.size(), "vertex", "vertices"),
+      counted(renderer.plan().directions, "direction"));
 }
 
 int bake(const BakeOptions& options) {
-  const bool to_texture = options.to == "texture";
-  const Scene scene = bake_scene(options);
+  const bool to_texture = options.to_texture();
+  const Scene scene = scene_to_bake(options.scene.load());
+  options.scene.check_applicable(scene);
   keep_inputs(scene, options.output);
-  if (!to_texture && (options.texture.size || options.texture.dilation || !options.texture.aovs.empty()))
+  if (!to_texture && (options.size || options.dilation || !options.aovs.empty()))
     throw Error(ErrorKind::usage, "--size, --dilation, --aov: are of textures; they need --to texture");
   static constexpr std::string_view written[] = {".ply"};
   if (!to_texture) check_extension(options.output, written);
-  if (to_texture) check_texture_options(options.texture, scene, options.output);
-  MeshAttributes attributes = needed_attributes(scene);
-  attributes.uvs = attributes.uvs || to_texture;
+  if (to_texture) check_texture_options(options, scene);
   options.device.prepare();
   SceneRendererOptions made;
   made.threads = options.device.threads;
-  made.attributes = attributes;
+  made.attributes = baked_attributes(scene, to_texture);
   made.instancing = Instancing::copies;
   SceneRenderer renderer(
       scene, [&] { return options.device.open(); }, std::move(made));
-  const TriangleMesh& mesh = renderer.mesh();
-  warn_of(scene, mesh, Viewer::none);
-  const Plan& plan = renderer.plan();
-  for (const EffectPlan& effect : plan.effects)
-    if (effect.effect.view_space || effect.effect.side == Side::viewer)
-      throw Error(ErrorKind::scene, Place{scene.file.string()},
-                  fmt::format("a bake has no viewer: {}",
-                              effect.effect.view_space ? "space = \"view\"" : "side = \"viewer\""));
-  const TexturePoints texels = to_texture ? points_of_texture(options.texture, scene, mesh) : TexturePoints{};
-  const double points = double(to_texture ? texels.points.size() : mesh.positions.size());
-  renderer.expect_rays(points * plan.directions * double(plan.effects.size()));
-  renderer.tracer();
-  catch_interrupts();
+  warn_of(scene, renderer.mesh(), Viewer::none);
   TerminalObserver observer(ProgressMode::none);
+  const TexturePoints texels =
+      to_texture ? texels_of(renderer, options.texture(), observer) : TexturePoints{};
+  catch_interrupts();
   if (to_texture)
-    write_texture(options.texture, texels, renderer, observer, options.output);
+    write_texture(options, texels, renderer, observer);
   else
-    write_vertices(options.output, renderer, observer);
+    write_vertices(options, renderer, observer);
   renderer.tracer().store_programs();
   return 0;
 }
@@ -128,14 +112,24 @@ int bake(const BakeOptions& options) {
 void add_bake_command(CLI::App& app, Command& chosen) {
   auto options = std::make_shared<BakeOptions>();
   CLI::App* command = app.add_subcommand(
-      "bake", "Write AO and bent normals at the mesh's vertices into a PLY file, or into a texture");
+      "bake",
+      "Write AO and bent normals at the mesh's vertices or corners into a PLY file, or into a texture");
   // The film of the scene is not what is baked.
   options->scene.add_to(*command, ambient_kinds,
                         {"--size", "--crop", "--view", "--margin", "--up", "--ground"});
   options->device.add_to(*command);
-  command->add_option("--to", options->to, "vertices or texture")
-      ->check(CLI::IsMember({"vertices", "texture"}));
-  options->texture.add_to(*command);
+  command->add_option("--to", options->to, "vertices, corners (of the triangles) or texture")
+      ->check(CLI::IsMember({"vertices", "corners", "texture"}));
+  command->add_option("--size", options->size, "With --to texture: texels on a side; default 1024")
+      ->check(CLI::Range(1, 16384));
+  command
+      ->add_option("--dilation", options->dilation,
+                   "With --to texture: rings of texels that continue the edges; default 8")
+      ->check(CLI::Range(0, 1024));
+  command
+      ->add_option("--aov", options->aovs,
+                   "With --to texture: more channels: normal,position,variance,samples")
+      ->delimiter(',');
   command->add_option("-o,--output", options->output, "PLY file; with --to texture an EXR or PNG file")
       ->required();
   command->callback([options, &chosen] { chosen = [options] { return bake(*options); }; });

@@ -1,102 +1,85 @@
 // nook info SCENE: what is in the mesh, and what the scene's numbers and the flags resolve to.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "app/commands.hpp"
 #include "app/options/loading.hpp"
 #include "app/options/scene_options.hpp"
 #include "base/counted.hpp"
-#include "mesh/mesh_analysis.hpp"
-#include "plan/plan.hpp"
-#include "scene/effect_keys.hpp"
-#include "scene/layer_names.hpp"
-#include "scene/names.hpp"
+#include "report/scene_info.hpp"
 
 namespace nook {
 namespace {
 
-void print_picture(const Scene& scene, bool spp_given) {
-  const PixelRect window = scene.crop.value_or(PixelRect{0, 0, scene.width, scene.height});
-  fmt::print("picture           {}x{}, pixels {} <= x < {}, {} <= y < {}\n", scene.width, scene.height,
-             window.x0, window.x1, window.y0, window.y1);
-  const bool sampled = std::any_of(scene.effects.begin(), scene.effects.end(),
-                                   [](const Effect& effect) { return is_traced(effect.kind); });
-  if (sampled)
-    fmt::print("samples           {}, {} of a camera ray, {} from seed {}\n",
-               scene.stop.any() && !spp_given
-                   ? fmt::format("at most {} a pixel", counted(scene.stop.max_spp, "camera ray"))
-                   : fmt::format("{} a pixel", counted(scene.spp, "camera ray")),
-               counted(scene.directions, "direction"), name_of(scene.sampler), scene.seed);
-  const std::vector<std::string> prefixes = layer_prefixes(scene);
-  for (std::size_t e = 0; e < scene.effects.size(); ++e)
-    fmt::print("effect            {}: {}\n", effect_label(scene.effects[e].kind, prefixes[e]),
-               settings_text(scene.effects[e]));
+struct InfoOptions {
+  SceneOptions scene;
+  bool json = false;
+};
+
+void print_mesh(const SceneInfo& info) {
+  for (const std::string& file : info.meshes) fmt::print("mesh              {}\n", file);
+  fmt::print("triangles         {}\n", info.triangles);
+  if (info.instances)
+    fmt::print("instances         {} of {}, which have {}\n", info.instances,
+               counted(info.models, "mesh", "meshes"), counted(info.model_triangles, "triangle"));
+  fmt::print("positions         {}\n", info.positions);
+  fmt::print("groups, materials {}, {}\n", info.groups, info.materials);
+  fmt::print("bounds            ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})\n", info.lo.x, info.lo.y, info.lo.z,
+             info.hi.x, info.hi.y, info.hi.z);
+  fmt::print("bounding sphere   center ({:g}, {:g}, {:g}), radius {:g}\n", info.center.x, info.center.y,
+             info.center.z, info.radius);
+  if (info.frame != Frame())
+    fmt::print("computed          about ({}, {}, {}), in units of 2^{}\n", info.frame.center.x,
+               info.frame.center.y, info.frame.center.z, info.frame.exponent);
+  fmt::print("vertex normals    {}\n",
+             info.has_normals ? fmt::format("{} ({} corners without, {} not of unit length)", info.normals,
+                                            info.corners_without_normal, info.normals_normalised)
+                              : "none: geometric normals are used");
+  fmt::print("zero-area         {}\n", info.zero_area);
+  fmt::print("duplicates        {}\n", info.duplicates);
+  fmt::print("NaN or infinite   {} dropped\n", counted(info.non_finite_dropped, "triangle"));
 }
 
-// Each file once, in the scene's order.
-std::vector<std::filesystem::path> mesh_files(const Scene& scene) {
-  if (scene.instances.empty()) return {scene.mesh_file};
-  std::vector<std::filesystem::path> files;
-  for (const Instance& instance : scene.instances)
-    if (std::find(files.begin(), files.end(), instance.mesh_file) == files.end())
-      files.push_back(instance.mesh_file);
-  return files;
+void print_picture(const SceneInfo& info) {
+  for (const SceneInfo::EffectInfo& effect : info.effects)
+    if (effect.traced)
+      fmt::print("distance limit    {} for {} ({})\n",
+                 std::isinf(effect.max_distance) ? "none" : fmt::format("{:g}", effect.max_distance),
+                 effect.name, effect.limit_from);
+  fmt::print("picture           {}x{}, pixels {} <= x < {}, {} <= y < {}\n", info.width, info.height,
+             info.window.x0, info.window.x1, info.window.y0, info.window.y1);
+  const std::string rays = counted(info.camera_rays, "camera ray");
+  if (info.sampled)
+    fmt::print("samples           {} a pixel, {} of a camera ray, {} from seed {}\n",
+               info.targets ? "at most " + rays : rays, counted(info.directions, "direction"), info.sampler,
+               info.seed);
+  for (const SceneInfo::EffectInfo& effect : info.effects)
+    fmt::print("effect            {}: {}\n", effect.name, effect.settings);
 }
 
-int print_info(const SceneOptions& options) {
-  const Scene scene = options.load();
-  options.check_applicable(scene);
+int print_info(const InfoOptions& options) {
+  const Scene scene = options.scene.load();
+  options.scene.check_applicable(scene);
   const TriangleMesh mesh = load_and_warn(
       scene, {.normals = true, .uvs = true, .materials = true, .groups = true}, scene.instancing);
-  const MeshAnalysis analysis = analyse(mesh);
-  const dvec3 lo = mesh.frame.to_file(dvec3(mesh.bounds.lo)), hi = mesh.frame.to_file(dvec3(mesh.bounds.hi)),
-              center = mesh.frame.to_file(dvec3(mesh.bounds.center()));
-  for (const std::filesystem::path& file : mesh_files(scene))
-    fmt::print("mesh              {}\n", file.string());
-  fmt::print("triangles         {}\n", mesh.scene_triangles());
-  if (!mesh.instances.empty())
-    fmt::print("instances         {} of {}, which have {}\n", mesh.instances.size(),
-               counted(mesh.models.size(), "mesh", "meshes"), counted(mesh.triangles.size(), "triangle"));
-  fmt::print("positions         {}\n", mesh.positions.size());
-  fmt::print("groups, materials {}, {}\n", mesh.groups.size(), mesh.materials.size());
-  fmt::print("bounds            ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})\n", lo.x, lo.y, lo.z, hi.x, hi.y,
-             hi.z);
-  fmt::print("bounding sphere   center ({:g}, {:g}, {:g}), radius {:g}\n", center.x, center.y, center.z,
-             mesh.frame.to_file(double(mesh.bounds.bounding_radius())));
-  if (mesh.frame != Frame())
-    fmt::print("computed          about ({}, {}, {}), in units of 2^{}\n", mesh.frame.center.x,
-               mesh.frame.center.y, mesh.frame.center.z, mesh.frame.exponent);
-  fmt::print("vertex normals    {}\n",
-             mesh.has_normals()
-                 ? fmt::format("{} ({} corners without, {} not of unit length)", mesh.normals.size(),
-                               mesh.report.normals_replaced, mesh.report.normals_normalised)
-                 : "none: geometric normals are used");
-  fmt::print("zero-area         {}\n", analysis.zero_area);
-  fmt::print("duplicates        {}\n", analysis.duplicates);
-  fmt::print("NaN or infinite   {} dropped\n", counted(mesh.report.non_finite_dropped, "triangle"));
-  const std::vector<std::string> prefixes = layer_prefixes(scene);
-  for (std::size_t e = 0; e < scene.effects.size(); ++e) {
-    const Effect& effect = scene.effects[e];
-    if (!is_traced(effect.kind)) continue;
-    const float limit = resolve_distance(effect, subject_radius(mesh), scene.compat_tinyrender);
-    fmt::print("distance limit    {} for {} ({})\n", std::isinf(limit) ? "none" : fmt::format("{:g}", limit),
-               effect_label(effect.kind, prefixes[e]),
-               effect.max_distance.kind == DistanceLimit::Kind::automatic && scene.compat_tinyrender
-                   ? "compat = tinyrender"
-                   : to_string(effect.max_distance));
+  const SceneInfo info = scene_info(scene, mesh, scene.stop.any() && !options.scene.has("--spp"));
+  if (options.json) {
+    fmt::print("{}\n", info_json(info));
+    return 0;
   }
-  print_picture(scene, options.has("--spp"));
+  print_mesh(info);
+  print_picture(info);
   return 0;
 }
 
 }  // namespace
 
 void add_info_command(CLI::App& app, Command& chosen) {
-  auto options = std::make_shared<SceneOptions>();
+  auto options = std::make_shared<InfoOptions>();
   CLI::App* command = app.add_subcommand("info", "Describe a scene's mesh and what its numbers resolve to");
-  options->add_to(*command, all_kinds, {"--view", "--margin", "--up", "--ground"});
+  options->scene.add_to(*command, all_kinds, {"--view", "--margin", "--up", "--ground"});
+  command->add_flag("--json", options->json, "As JSON");
   command->callback([options, &chosen] { chosen = [options] { return print_info(*options); }; });
 }
 

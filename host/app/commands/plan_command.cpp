@@ -2,8 +2,6 @@
 // no device.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "app/commands.hpp"
 #include "app/options/loading.hpp"
 #include "app/options/scene_options.hpp"
@@ -11,6 +9,7 @@
 #include "bvh/bvh.hpp"
 #include "plan/kernel_arguments.hpp"
 #include "plan/plan_report.hpp"
+#include "report/plan_json.hpp"
 #include "scene/effect_keys.hpp"
 #include "scene/names.hpp"
 
@@ -22,18 +21,12 @@ struct PlanOptions {
   bool json = false;
 };
 
-std::string layer_text(const LayerPlan& layer) {
-  if (layer.prefix.empty()) return "R,G,B";
-  if (layer.kind == EffectKind::bent) return layer.prefix + "X,Y,Z,cone,AO";
-  return layer.prefix + (layer.kind == EffectKind::depth ? "Z" : is_surface(layer.kind) ? "X,Y,Z" : "R,G,B");
-}
-
 void print_layers(const Plan& plan) {
   fmt::print("\nLayers\n");
   auto traced = plan.effects.begin();
   for (const LayerPlan& layer : plan.layers) {
     const bool settings = layer.kind != EffectKind::ssao && !is_surface(layer.kind);
-    fmt::print("  {:<24} {:<9} {}\n", layer_text(layer), name_of(layer.kind),
+    fmt::print("  {:<24} {:<9} {}\n", channels_text(layer), name_of(layer.kind),
                settings ? settings_text((traced++)->resolved()) : "");
   }
 }
@@ -71,34 +64,6 @@ void print_table(const Scene& scene, const Plan& plan, const TriangleMesh& mesh,
   for (const std::string& what : report.left_out) fmt::print("  {}\n", what);
 }
 
-void print_json(const Plan& plan, const TriangleMesh& mesh, const PlanReport& report) {
-  nlohmann::json json = {{"width", plan.window.width()},        {"height", plan.window.height()},
-                         {"triangles", mesh.scene_triangles()}, {"libraries", report.libraries},
-                         {"left_out", report.left_out},         {"kernels", nlohmann::json::array()},
-                         {"buffers", nlohmann::json::array()}};
-  if (!plan.effects.empty()) {
-    json["spp"] = plan.spp;
-    json["directions"] = plan.directions;
-  }
-  for (const auto& [name, text] : report.picture) json["picture"][name] = text;
-  auto traced = plan.effects.begin();
-  for (const LayerPlan& layer : plan.layers) {
-    nlohmann::json entry = {{"channels", layer_text(layer)}, {"type", name_of(layer.kind)}};
-    if (layer.kind != EffectKind::ssao && !is_surface(layer.kind))
-      entry["settings"] = settings_text((traced++)->resolved());
-    json["layers"].push_back(entry);
-  }
-  for (const PassReport& pass : report.passes)
-    json["passes"].push_back({{"name", pass.name}, {"what", pass.what}, {"rays_at_most", pass.rays}});
-  for (const KernelPlan& kernel : report.kernels)
-    json["kernels"].push_back({{"file", kernel.file},
-                               {"options", kernel.options.text()},
-                               {"arguments", argument_names(plan, kernel.entry)}});
-  for (const BufferReport& buffer : report.buffers)
-    json["buffers"].push_back({{"name", buffer.name}, {"bytes", buffer.bytes}});
-  fmt::print("{}\n", json.dump(2));
-}
-
 int show_plan(const PlanOptions& options) {
   const Scene scene = options.scene.load();
   options.scene.check_applicable(scene);
@@ -108,7 +73,7 @@ int show_plan(const PlanOptions& options) {
   if (plan.needs_opencl()) bvh = build_bvh(mesh);  // of 16 children a node: no device is asked
   const PlanReport report = report_plan(scene, plan, mesh, bvh ? &*bvh : nullptr);
   if (options.json)
-    print_json(plan, mesh, report);
+    fmt::print("{}\n", plan_json(plan, mesh, report));
   else
     print_table(scene, plan, mesh, report);
   return 0;

@@ -42,7 +42,7 @@ void record_counts(SceneRenderer& renderer, const PictureRun& run, RunRecord& re
   record.seconds.render = run.render_seconds();
   record.error = run.error();
   record.complete = run.complete();
-  record.not_repeatable = run.why_not_repeatable();
+  record.repeat = run.repeat();
   if (!record.plan.needs_opencl()) return;
   const OcclusionTracer& tracer = renderer.tracer();
   record.launches = tracer.counters().launches;
@@ -96,9 +96,8 @@ int render(SceneRenderer& renderer, const Job& job) {
   record.plan = renderer.plan();
   record.triangles = renderer.mesh().scene_triangles();
   record.scene_hash = scene_hash(renderer.scene());
-  record.mesh_hash = renderer.mesh_hash();
-  record_scene(renderer.scene(), job.aovs, job.output, record);
-  check_mesh(renderer.scene(), job.origin.mesh_hash, record.mesh_hash);
+  record.folder = fs::absolute(job.output).lexically_normal().parent_path().string();
+  check_mesh(renderer.scene(), job.origin.mesh_hash, renderer.mesh_hash());
   if (record.plan.needs_opencl()) get_ready(renderer, job, record);
 
   PictureRequest request;
@@ -111,6 +110,7 @@ int render(SceneRenderer& renderer, const Job& job) {
   request.frames = options.frames.value_or(1);
   if (job.origin.again) request.camera_rays = job.origin.camera_rays;
   PictureRun run(renderer, std::move(request));
+  record.repeat = run.repeat();
   run.set_metadata(as_texts(record, renderer.scene()));
   record.seconds.before_first_ray = job.whole.seconds();
 

@@ -9,7 +9,6 @@
 #include "base/error.hpp"
 #include "image/exr.hpp"
 #include "scene/scene_toml.hpp"
-#include "scene/scene_writer.hpp"
 
 namespace nook {
 namespace {
@@ -90,19 +89,6 @@ void check_mesh(const Scene& scene, const std::string& made_of, const std::strin
     throw Error(ErrorKind::scene, Place{scene.file.string()},
                 fmt::format("cannot be made again: {} is not the mesh that it was made of ({}, now {})",
                             scene.mesh_file.string(), made_of, hash));
-}
-
-std::string scene_attribute(const Scene& scene) {
-  Scene absolute = scene;
-  for_each_mesh(absolute, [](fs::path& mesh) { mesh = fs::absolute(mesh).lexically_normal(); });
-  return to_toml(absolute);
-}
-
-void record_scene(const Scene& scene, const std::vector<std::string>& aovs, const fs::path& output,
-                  RunRecord& record) {
-  record.scene = scene_attribute(scene);
-  record.folder = fs::absolute(output).lexically_normal().parent_path().string();
-  record.aovs = aovs;
 }
 
 }  // namespace nook

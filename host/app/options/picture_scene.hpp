@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "render/picture_run.hpp"
-#include "report/run_record.hpp"
 #include "scene/scene.hpp"
 
 namespace nook {
@@ -33,12 +32,5 @@ PictureOrigin origin_of_picture(const std::filesystem::path& file);
 
 /// Throws Error(scene) if the mesh is not the one, by its hash, that the picture was made of.
 void check_mesh(const Scene& scene, const std::string& made_of, const std::string& hash);
-
-/// The scene as a picture's attribute: meshes by their absolute paths.
-std::string scene_attribute(const Scene& scene);
-
-/// Notes in the record what makes the picture again. scene: with everything that flags changed.
-void record_scene(const Scene& scene, const std::vector<std::string>& aovs,
-                  const std::filesystem::path& output, RunRecord& record);
 
 }  // namespace nook

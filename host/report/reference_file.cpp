@@ -1,4 +1,4 @@
-#include "app/commands/study_reference.hpp"
+#include "report/reference_file.hpp"
 
 #include <fmt/format.h>
 
