@@ -80,12 +80,12 @@ __kernel void sampler_directions(uint repeats, float seed, __global float* out) 
   p.seed = (uint)seed;
   p.width = 1024;
   float2 sum = (float2)(0.0f);
-  uint pixels[16], samples[16], directions[16];
-  for (uint k = 0; k < 16u; ++k) pixels[k] = id, samples[k] = 3;
+  uint pixels[16], samples[16], directions[16], seeds[16];
+  for (uint k = 0; k < 16u; ++k) pixels[k] = id, samples[k] = 3, seeds[k] = p.seed;
   for (uint i = 0; i < repeats; i += 16u) {
     float x[16], y[16];
     for (uint k = 0; k < 16u; ++k) directions[k] = i + k;
-    sample_directions(pixels, samples, directions, 16u, &p, x, y);
+    sample_directions(pixels, samples, directions, seeds, 16u, &p, 0, x, y);
     for (uint k = 0; k < 16u; ++k) sum += (float2)(x[k], y[k]);
   }
   out[id] = sum.x + sum.y;

@@ -72,7 +72,7 @@ def study(folder):
     scene = nook.Scene(folder / "scene.toml")
     told = []
     made = nook.study(
-        scene, 6, samplers=["sobol", "independent"], samplings="cosine", max_spp=16, width=32, height=24,
+        scene, 3, samplers=["sobol", "independent"], samplings="cosine", max_spp=16, width=32, height=24,
         folder=folder / "study", gallery=False, progress=lambda *now: told.append(now),
     )  # fmt: skip
     assert told and all(now[0] <= now[1] for now in told)
@@ -85,12 +85,11 @@ def test_a_study_is_its_table(study, folder):
     assert study.columns["method"].tolist() == [row["method"] for row in rows]
     assert np.allclose(study.columns["rmse"], [float(row["rmse"]) for row in rows])
     assert study.columns["directions"].dtype == np.int64 and len({len(each) for each in study.columns.values()}) == 1
-    assert {"sobol", "independent"} <= set(study.columns["sampler"])
-    assert study.data["methods"][0]["points"] and (folder / "study" / "index.html").stat().st_size > 10000
-    # More samples, less error; the better sequence is the better one.
-    for sampler in ("sobol", "independent"):
-        rows = (study.columns["sampler"] == sampler) & (study.columns["family"] == "fixed")
-        assert study.columns["rmse"][rows][0] > study.columns["rmse"][rows][-1]
+    # How many of them the budget allows depends on the machine.
+    assert {"sobol", "independent", ""} >= set(study.columns["sampler"]) and set(study.columns["sampling"]) <= {"cosine", ""}
+    assert {method["name"] for method in study.data["methods"]} >= {"cosine sobol", "cosine independent"}
+    assert (folder / "study" / "index.html").stat().st_size > 10000
+    assert 0 < study.columns["rmse"][0] < 1 and study.columns["wall_seconds"].min() > 0
 
 
 def test_a_study_without_a_folder_writes_nothing(folder, tmp_path, monkeypatch):
@@ -103,7 +102,9 @@ def test_a_study_shows_itself(study):
     pytest.importorskip("matplotlib")
     axes = study.plot()
     assert axes.get_xscale() == axes.get_yscale() == "log"
-    assert {line.get_label() for line in axes.lines} <= set(study.methods) and len(axes.lines) > 3
+    assert {line.get_label() for line in axes.lines} <= set(study.methods) and len(axes.lines)
+    first = study.columns["method"] == axes.lines[0].get_label()
+    assert np.array_equal(axes.lines[0].get_ydata(), study.columns["rmse"][first])
     assert study.png()[:4] == b"\x89PNG" and "data:image/png" in study._repr_html_()
     assert study.plot(cost="rays").get_xlabel() == "rays a picture"
     with pytest.raises(nook.UsageError, match="cost: "):

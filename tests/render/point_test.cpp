@@ -85,7 +85,9 @@ TEST(Points, RandomisationsTogetherAreThoseOneByOne) {
         }
         tracer.set_samples(1, scene.seed);
       }
-      EXPECT_NE(some.front().sum[0], some.front().sum[points.size() - 5]) << name_of(sampler);
+      const auto sums = std::span(some.front().sum).first(2 * (points.size() - 5));
+      EXPECT_FALSE(std::ranges::equal(sums.first(sums.size() / 2), sums.last(sums.size() / 2)))
+          << name_of(sampler);
     }
 }
 
