@@ -5,4 +5,11 @@
 
 #define INLINE __attribute__((always_inline, unused)) static inline
 
+// Before a loop whose count is constant: all of it, one pass behind the other.
+#ifdef __OPENCL_VERSION__
+#define UNROLL __attribute__((opencl_unroll_hint))
+#else
+#define UNROLL
+#endif
+
 #endif

@@ -5,7 +5,7 @@
 #include "inline.h"
 
 // Hash of four integers to four. Jarzynski and Olano 2020, "Hash Functions for GPU Rendering" (JCGT 9(3)), pcg4d.
-uint4 pcg4d(uint x, uint y, uint z, uint w) {
+INLINE uint4 pcg4d(uint x, uint y, uint z, uint w) {
   uint4 v;
   v.x = x * 1664525u + 1013904223u;
   v.y = y * 1664525u + 1013904223u;
@@ -26,21 +26,21 @@ uint4 pcg4d(uint x, uint y, uint z, uint w) {
 }
 
 // Hash of one integer. O'Neill 2014 (PCG RXS-M-XS), in the form of Jarzynski and Olano 2020.
-uint pcg(uint x) {
+INLINE uint pcg(uint x) {
   uint state = x * 747796405u + 2891336453u;
   uint word = ((state >> ((state >> 28) + 4u)) ^ state) * 277803737u;
   return (word >> 22) ^ word;
 }
 
 // Uniform in {0, 2^-24, ..., 1 - 2^-24}. A plain scale by 2^-32 would round up to 1 now and then.
-float uint_to_unit_float(uint bits) { return (float)(bits >> 8) * 0x1p-24f; }
+INLINE float uint_to_unit_float(uint bits) { return (float)(bits >> 8) * 0x1p-24f; }
 
 // Uniform integer in [0, n) from 32 random bits: the high word of bits * n. Off by less than n 2^-32 (relative).
-uint uint_below(uint bits, uint n) { return (uint)(((ulong)bits * n) >> 32); }
+INLINE uint uint_below(uint bits, uint n) { return (uint)(((ulong)bits * n) >> 32); }
 
 // The seed of randomisation `number`, from 1, of `seed`; of 0, the seed itself. Steele, Lea and Flood 2014, splitmix64, as
 // Randomisations::seed_of() in host/trace has it.
-uint seed_of_randomisation(uint seed, uint number) {
+INLINE uint seed_of_randomisation(uint seed, uint number) {
   if (number == 0u) return seed;
   ulong x = ((ulong)seed << 32 | (number - 1u)) + 0x9e3779b97f4a7c15ul;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ul;
@@ -48,7 +48,7 @@ uint seed_of_randomisation(uint seed, uint number) {
   return (uint)((x ^ (x >> 31)) >> 32);
 }
 
-uint reverse_bits(uint x) {
+INLINE uint reverse_bits(uint x) {
   x = (x >> 16) | (x << 16);
   x = ((x & 0xff00ff00u) >> 8) | ((x & 0x00ff00ffu) << 8);
   x = ((x & 0xf0f0f0f0u) >> 4) | ((x & 0x0f0f0f0fu) << 4);

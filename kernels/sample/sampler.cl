@@ -70,10 +70,7 @@ float sum_modulo_1(float x, float y) {
 
 // Where camera sample `sample` lies in its pixel, in [0,1)²: the centre if it is the only one.
 INLINE float2 sample_pixel(uint pixel, uint sample, const EstimatorParams* p) {
-  float2 u;
-  u.x = 0.5f;
-  u.y = 0.5f;
-  if (p->total_samples == 1u) return u;
+  float2 u = (float2)(0.5f);
   if (SAMPLER == SAMPLER_INDEPENDENT) {
     uint4 h = pcg4d(pixel, sample, CAMERA_DIRECTION, p->seed);
     u.x = uint_to_unit_float(h.x);
@@ -105,6 +102,10 @@ INLINE float2 sample_pixel(uint pixel, uint sample, const EstimatorParams* p) {
     uint4 key = pcg4d(tile, p->seed, STREAM_ZORDER, 0u);
     u = sobol23(index, key.z, key.w);
   }
+  // No early return: the loop over camera rays is to become one over vectors of them.
+  const bool alone = p->total_samples == 1u;
+  u.x = alone ? 0.5f : u.x;
+  u.y = alone ? 0.5f : u.y;
   return u;
 }
 

@@ -5,10 +5,11 @@
 #ifndef NOOK_SOBOL_CL
 #define NOOK_SOBOL_CL
 
+#include "inline.h"
 #include "sample/random.cl"
 
 // Nested uniform scramble of a bit-reversed fraction; `seed` must itself be well mixed.
-uint owen_scramble_reversed(uint x, uint seed) {
+INLINE uint owen_scramble_reversed(uint x, uint seed) {
   x ^= x * 0x3d20adeau;
   x += seed;
   x *= (seed >> 16) | 1u;
@@ -18,11 +19,11 @@ uint owen_scramble_reversed(uint x, uint seed) {
 }
 
 // Dimension 0 is the van der Corput sequence: the reversed fraction is the index itself.
-uint sobol0_reversed(uint index) { return index; }
+INLINE uint sobol0_reversed(uint index) { return index; }
 
 // Dimension 1 has the binary Pascal matrix: with the index's bits as the coefficients of a polynomial a over GF(2), the
 // reversed fraction is a(x + 1), and a = lo + x^h hi gives a(x+1) = (lo + hi)(x+1) + x^h hi(x+1) for h a power of two.
-uint sobol1_reversed(uint index) {
+INLINE uint sobol1_reversed(uint index) {
   index ^= (index & 0xffff0000u) >> 16;
   index ^= (index & 0xff00ff00u) >> 8;
   index ^= (index & 0xf0f0f0f0u) >> 4;
@@ -43,22 +44,22 @@ __constant uint sobol3_directions[32] = {
     0x0001f104u, 0x0002e28au, 0x000457dfu, 0x000c9baeu, 0x0011a105u, 0x002a7289u, 0x0079e7dbu, 0x00b6dba4u,
     0x0100011au, 0x030002a7u, 0x0400079eu, 0x0a000b6du, 0x1f001001u, 0x2e003003u, 0x45004004u, 0xc900a00au};
 
-uint sobol2_reversed(uint index) {
+// Sums over GF(2) of the direction numbers of the index's bits: of all 32, so that no branch hangs on the index, and a loop over points
+// becomes one over vectors of points.
+INLINE uint sobol2_reversed(uint index) {
   uint x = 0;
-  for (uint bit = 0; bit < 32u && index >> bit != 0u; ++bit)
-    if (index >> bit & 1u) x ^= sobol2_directions[bit];
+  UNROLL for (uint bit = 0; bit < 32u; ++bit) x ^= (0u - (index >> bit & 1u)) & sobol2_directions[bit];
   return x;
 }
 
-uint sobol3_reversed(uint index) {
+INLINE uint sobol3_reversed(uint index) {
   uint x = 0;
-  for (uint bit = 0; bit < 32u && index >> bit != 0u; ++bit)
-    if (index >> bit & 1u) x ^= sobol3_directions[bit];
+  UNROLL for (uint bit = 0; bit < 32u; ++bit) x ^= (0u - (index >> bit & 1u)) & sobol3_directions[bit];
   return x;
 }
 
 // Point `index` in dimensions 0 and 1 (a (0,2)-sequence), in [0,1)².
-float2 sobol01(uint index, uint seed0, uint seed1) {
+INLINE float2 sobol01(uint index, uint seed0, uint seed1) {
   float2 u;
   u.x = uint_to_unit_float(reverse_bits(owen_scramble_reversed(sobol0_reversed(index), seed0)));
   u.y = uint_to_unit_float(reverse_bits(owen_scramble_reversed(sobol1_reversed(index), seed1)));
@@ -66,7 +67,7 @@ float2 sobol01(uint index, uint seed0, uint seed1) {
 }
 
 // Point `index` in dimensions 2 and 3, in [0,1)².
-float2 sobol23(uint index, uint seed2, uint seed3) {
+INLINE float2 sobol23(uint index, uint seed2, uint seed3) {
   float2 u;
   u.x = uint_to_unit_float(reverse_bits(owen_scramble_reversed(sobol2_reversed(index), seed2)));
   u.y = uint_to_unit_float(reverse_bits(owen_scramble_reversed(sobol3_reversed(index), seed3)));

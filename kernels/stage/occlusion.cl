@@ -9,6 +9,7 @@
 #include "effect/reach.cl"
 #include "effect/sets.cl"
 #include "effect/side.cl"
+#include "trace/prefetch.cl"
 #include "shared/camera.h"
 
 #define STREAM 32u
@@ -30,6 +31,13 @@ bool takes_part(WITH_INSTANCE_PARAMS __global const SurfacePoint* point, __globa
   return !EXPONENT_OF_MATERIAL || exponent_of(point, exponents) >= 0.0f;
 }
 
+// x to the nearest integer, ties to even; |x| < 2^63, in two's complement. convert_long_rte() is the same, at several times the
+// instructions where a processor has none for it. A float has no fraction from 2^23 on.
+INLINE ulong to_fixed_point(float x) {
+  const float size = fabs(x), nearest = (size + 0x1p23f) - 0x1p23f;
+  return as_ulong((long)(size < 0x1p23f ? copysign(nearest, x) : x));
+}
+
 // Bent normals: Σ w V ω in fixed point (two's complement), in world space or along the camera's right, up and back axes.
 void add_direction(ulong* sum, float weight, float3 d, const CameraParams* camera) {
   if (BENT_VIEW) {
@@ -38,9 +46,9 @@ void add_direction(ulong* sum, float weight, float3 d, const CameraParams* camer
     const float3 forward = (float3)(camera->forward[0], camera->forward[1], camera->forward[2]);
     d = (float3)(dot(d, right), dot(d, up), -dot(d, forward));
   }
-  sum[0] += as_ulong(convert_long_rte(weight * d.x));
-  sum[1] += as_ulong(convert_long_rte(weight * d.y));
-  sum[2] += as_ulong(convert_long_rte(weight * d.z));
+  sum[0] += to_fixed_point(weight * d.x);
+  sum[1] += to_fixed_point(weight * d.y);
+  sum[2] += to_fixed_point(weight * d.z);
 }
 
 // Directions [task.first_direction, + p.directions) at each camera sample of each task, summed into results[task]. A stream
@@ -59,6 +67,7 @@ __kernel void occlusion(BVH_PARAMS OCCLUSION_ARGUMENTS(IN_PARAM, OUT_PARAM, VALU
     bent_sum[i][0] = bent_sum[i][1] = bent_sum[i][2] = 0;
   }
   const uint per_stream = max(1u, STREAM / p.directions);
+  const ulong one = to_fixed_point(p.sum_scale), square_of_one = to_fixed_point(p.square_scale);
   RayKeys keys;
   clear_keys(&keys);
   for (uint task = 0, sample = 0; task < count_of_tasks;) {
@@ -71,6 +80,11 @@ __kernel void occlusion(BVH_PARAMS OCCLUSION_ARGUMENTS(IN_PARAM, OUT_PARAM, VALU
       result[task].hits += (point->flags & SURFACE_HIT) != 0;
       found += takes_part(WITH_INSTANCE_ARGS point, exponents, receivers);
       if (++sample == p.samples) sample = 0, ++task;
+    }
+    // Those that come next are on their way while these are traced.
+    for (uint i = task, s = sample, n = 0; i < count_of_tasks && n < per_stream; ++n) {
+      PREFETCH_LINE(points + tasks[first_task + i].point + s, 0u);
+      if (++s == p.samples) s = 0, ++i;
     }
     ulong of_sample[STREAM];
     for (uint j = 0; j < found; ++j) of_sample[j] = 0;
@@ -139,10 +153,10 @@ __kernel void occlusion(BVH_PARAMS OCCLUSION_ARGUMENTS(IN_PARAM, OUT_PARAM, VALU
         for (uint rest = unreached; rest; rest &= rest - 1) visibility[lowest_bit(rest)] = 1.0f;
       open |= unreached;
       if (WEIGHTS_ARE_1) {
-        for (uint j = 0; j < found; ++j) of_sample[j] += popcount(open >> j * count & of_one) * convert_ulong_rte(p.sum_scale);
+        for (uint j = 0; j < found; ++j) of_sample[j] += popcount(open >> j * count & of_one) * one;
         if (REPLICATE_DIRECTIONS)
           for (uint j = 0; j < found; ++j)
-            result[item[j]].sum_square += popcount(open >> j * count & of_one) * convert_ulong_rte(p.square_scale);
+            result[item[j]].sum_square += popcount(open >> j * count & of_one) * square_of_one;
       }
       for (uint j = 0; (!WEIGHTS_ARE_1 || BENT) && j < found; ++j)
         for (uint rest = open & of_one << j * count; rest; rest &= rest - 1) {
@@ -150,8 +164,8 @@ __kernel void occlusion(BVH_PARAMS OCCLUSION_ARGUMENTS(IN_PARAM, OUT_PARAM, VALU
           const float value = FALLOFF == FALLOFF_NONE ? weight[ray] : weight[ray] * visibility[ray];
           if (BENT) add_direction(bent_sum[item[j]], value * p.sum_scale, ray_direction(&directions, ray), &camera);
           if (WEIGHTS_ARE_1) continue;
-          of_sample[j] += convert_ulong_rte(value * p.sum_scale);
-          if (REPLICATE_DIRECTIONS) result[item[j]].sum_square += convert_ulong_rte(value * value * p.square_scale);
+          of_sample[j] += to_fixed_point(value * p.sum_scale);
+          if (REPLICATE_DIRECTIONS) result[item[j]].sum_square += to_fixed_point(value * value * p.square_scale);
         }
     }
     for (uint j = 0; j < found; ++j) {
@@ -159,7 +173,7 @@ __kernel void occlusion(BVH_PARAMS OCCLUSION_ARGUMENTS(IN_PARAM, OUT_PARAM, VALU
       if (REACH) result[item[j]].free += free >> j & 1u;
       if (REPLICATE_DIRECTIONS) continue;
       const float mean = (float)of_sample[j] / (p.sum_scale * (float)p.directions);
-      result[item[j]].sum_square += convert_ulong_rte(mean * mean * p.square_scale);
+      result[item[j]].sum_square += to_fixed_point(mean * mean * p.square_scale);
     }
   }
   for (uint i = 0; i < count_of_tasks; ++i) {

@@ -39,14 +39,16 @@ __kernel void primary(BVH_PARAMS PRIMARY_ARGUMENTS(IN_PARAM, OUT_PARAM, VALUE_PA
   const Vector from = {eye.x, eye.y, eye.z};
   SurfaceHits hits;
   clear_hits(&hits);
-  uint pixel[STREAM], sample[STREAM];
+  uint pixel[STREAM], sample[STREAM], place[STREAM];
   for (uint k = 0; k < STREAM; ++k) pixel[k] = sample[k] = 0;
   for (uint begin = 0; begin < rays; begin += STREAM) {
     const uint count = min(STREAM, rays - begin);
-    for (uint k = 0; k < count; ++k) {
-      const Task task = tasks[first_task + (begin + k) / p.samples];
+    for (uint k = 0, i = begin / p.samples, of_task = begin % p.samples; k < count; ++k) {
+      const Task task = tasks[first_task + i];
       pixel[k] = task.pixel;
-      sample[k] = task.first_sample + (begin + k) % p.samples;
+      sample[k] = task.first_sample + of_task;
+      place[k] = task.point + of_task;
+      if (++of_task == p.samples) of_task = 0, ++i;
     }
     RayDirections directions;
     camera_directions(&camera, pixel, sample, count, &p, &directions);
@@ -61,8 +63,7 @@ __kernel void primary(BVH_PARAMS PRIMARY_ARGUMENTS(IN_PARAM, OUT_PARAM, VALUE_PA
     SurfaceFrames frames;
     make_surface_frames(&hits, from, &directions, t, count, &frames);
     for (uint k = 0; k < count; ++k) {
-      __global SurfacePoint* point =
-          points + tasks[first_task + (begin + k) / p.samples].point + (begin + k) % p.samples;
+      __global SurfacePoint* point = points + place[k];
       if (triangle[k] == NO_TRIANGLE) {
         point->flags = 0;
         continue;

@@ -25,14 +25,10 @@ typedef struct {
 INLINE void set_ray(RayDirections* of, uint k, float3 v) { of->x[k] = v.x, of->y[k] = v.y, of->z[k] = v.z; }
 
 void clear_hits(SurfaceHits* hits) {
-  for (uint k = 0; k < 32u; ++k) {
-    for (uint corner = 0; corner < 3u; ++corner) {
-      set_ray(&hits->corner[corner], k, (float3)(0.0f));
-      set_ray(&hits->normal[corner], k, (float3)(0.0f));
-    }
-    hits->u[k] = hits->v[k] = 0.0f;
-    hits->smooth[k] = 0u;
-  }
+  for (uint corner = 0; corner < 3u; ++corner) clear_rays(&hits->corner[corner]), clear_rays(&hits->normal[corner]);
+  for (uint k = 0; k < 32u; ++k) hits->u[k] = 0.0f;
+  for (uint k = 0; k < 32u; ++k) hits->v[k] = 0.0f;
+  for (uint k = 0; k < 32u; ++k) hits->smooth[k] = 0u;
 }
 
 INLINE void gather_hit(SurfaceHits* hits, uint k, TRIANGLE_PARAMS, __global const float* normals,

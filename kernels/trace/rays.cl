@@ -8,6 +8,13 @@ typedef struct {
   float x[32], y[32], z[32];
 } RayDirections;
 
+// Array by array, which a compiler makes whole vectors of.
+void clear_rays(RayDirections* d) {
+  for (uint k = 0; k < 32u; ++k) d->x[k] = 0.0f;
+  for (uint k = 0; k < 32u; ++k) d->y[k] = 0.0f;
+  for (uint k = 0; k < 32u; ++k) d->z[k] = 0.0f;
+}
+
 // Rays that a loop over a stream makes together.
 #define RAYS_TOGETHER (TRAVERSAL_SCALAR ? 1u : 16u)
 

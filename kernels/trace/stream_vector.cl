@@ -5,6 +5,7 @@
 
 #include "config.h"
 #include "inline.h"
+#include "trace/prefetch.cl"
 #include "trace/rays.cl"
 #include "shared/bvh.h"
 
@@ -76,14 +77,13 @@ int or_lanes(int16 v) { return or_8_lanes(v.lo | v.hi); }
 
 // Asks for all lines of a node or leaf that is visited later.
 #if defined(__clang__) && (defined(__x86_64__) || defined(__aarch64__))
-#define PREFETCH_LINE(p, line) __builtin_prefetch((const void*)((size_t)(p) + 64u * (line)))
 #define PREFETCH_ITEM(item)                                                                              \
   {                                                                                                      \
     if ((item) & BVH_LEAF) {                                                                             \
-      __attribute__((opencl_unroll_hint)) for (uint line = 0; line < sizeof(TriangleLeaf) / 64; ++line) \
+      UNROLL for (uint line = 0; line < sizeof(TriangleLeaf) / 64; ++line)                               \
           PREFETCH_LINE(&leaves[(item) & ~BVH_LEAF], line);                                              \
     } else {                                                                                             \
-      __attribute__((opencl_unroll_hint)) for (uint line = 0; line < sizeof(BvhNode) / 64; ++line)      \
+      UNROLL for (uint line = 0; line < sizeof(BvhNode) / 64; ++line)                                    \
           PREFETCH_LINE(&nodes[item], line);                                                             \
     }                                                                                                    \
   }
