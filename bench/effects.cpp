@@ -112,7 +112,7 @@ class Run {
   };
   Cost once() {
     const std::uint64_t before = tracer_.counters().occlusion_rays;
-    const Stopwatch watch;
+    const Stopwatch watch = started();
     if (what_ == Case::What::texture)
       tracer_.estimate_all(texels_.points, 64);
     else
@@ -202,7 +202,7 @@ void measure(const Settings& settings, const Case& one) {
                                   {"height", settings.height},
                                   {"spp", settings.spp},
                                   {"rounds", rounds},
-                                  {"cpu_time", Stopwatch::cpu_time},
+                                  {"cpu_time", measured == Stopwatch::Of::threads},
                                   {"ratio", median(ratios)},
                                   {"interval", {low, high}},
                                   {"least", *least},
@@ -245,8 +245,9 @@ void add_effects(CLI::App& app) {
   command->add_flag("--check", settings->check,
                     "Fail unless the 95 % intervals of the first two cases lie within 1.00 +- 0.02");
   command->add_option("--output", settings->output, "Append one JSON line a case to this file");
-  command->add_flag("--cpu-time", Stopwatch::cpu_time,
-                    "CPU seconds of the process instead of the wall clock's");
+  command->add_flag_callback(
+      "--cpu-time", [] { measured = Stopwatch::Of::threads; },
+      "CPU seconds of the process instead of the wall clock's");
   command->callback([settings] { run(*settings); });
 }
 

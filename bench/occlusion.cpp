@@ -57,7 +57,7 @@ std::uint64_t differing_distances(const std::vector<float>& a, const std::vector
 }
 
 void run(const Settings& s) {
-  Stopwatch::cpu_time = s.cpu_time;
+  if (s.cpu_time) measured = Stopwatch::Of::threads;
   limit_device_threads(s.threads);
   const BenchScene scene = bench_scene(s.scene);
   const EmbreeScene fast(scene.mesh, false, s.threads), robust(scene.mesh, true, s.threads);

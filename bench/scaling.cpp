@@ -216,7 +216,7 @@ struct Candidate {
 
   double run(const std::vector<std::uint32_t>& pixels) {
     std::vector<Film> films = tracer->make_films();
-    const Stopwatch watch;
+    const Stopwatch watch = started();
     tracer->accumulate(pixels, {0, plan.samples_per_pixel()}, films);
     const double spent = watch.seconds();
     sum = std::accumulate(films[0].sum.begin(), films[0].sum.end(), 0.0);
@@ -282,7 +282,7 @@ void run_options(const Settings& s) {
 }
 
 void run(const Settings& s) {
-  Stopwatch::cpu_time = s.cpu_time;
+  if (s.cpu_time) measured = Stopwatch::Of::threads;
   limit_device_threads(s.threads);
   if (s.part != "options") run_sweeps(s);
   if (s.part != "sweeps") run_options(s);

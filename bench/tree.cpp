@@ -22,13 +22,13 @@ struct Settings {
 };
 
 void run(const Settings& s) {
-  Stopwatch::cpu_time = s.cpu_time;
+  if (s.cpu_time) measured = Stopwatch::Of::threads;
   const BenchScene scene = bench_scene(s.scene);
   std::vector<double> ours, embree, ratios;
   Bvh bvh;
   for (unsigned i = 0; i < s.rounds; ++i) {
     bvh = {};
-    const Stopwatch watch;
+    const Stopwatch watch = started();
     bvh = build_bvh(scene.mesh, {.threads = s.threads, .refined = s.refined});  // of 16 children
     ours.push_back(watch.seconds());
     embree.push_back(EmbreeScene(scene.mesh, false, s.threads).commit_seconds());

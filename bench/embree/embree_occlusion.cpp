@@ -22,7 +22,7 @@ double on_threads(std::size_t count, unsigned threads, const Work& work) {
     for (std::size_t begin; (begin = next.fetch_add(chunk)) < count;)
       work(begin, std::min(count, begin + chunk));
   };
-  const Stopwatch watch;
+  const Stopwatch watch = started();
   std::vector<std::thread> others;
   for (unsigned i = 1; i < threads; ++i) others.emplace_back(loop);
   loop();

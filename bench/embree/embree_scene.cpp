@@ -14,7 +14,7 @@ EmbreeScene::EmbreeScene(const TriangleMesh& mesh, bool robust, unsigned threads
   scene_ = rtcNewScene(device_);
   rtcSetSceneFlags(scene_, robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
   rtcSetSceneBuildQuality(scene_, RTC_BUILD_QUALITY_MEDIUM);
-  const Stopwatch watch;
+  const Stopwatch watch = started();
   RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
   void* positions = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                             sizeof(vec3), mesh.positions.size());

@@ -10,19 +10,15 @@
 #include "base/error.hpp"
 #include "mesh/corner_order.hpp"
 #include "mesh/obj_loader.hpp"
+#include "support/meshes.hpp"
 
 namespace nook::bench {
 namespace {
 
-void add_quad(TriangleMesh& mesh, const vec3& a, const vec3& b, const vec3& c, const vec3& d) {
-  const auto n = std::uint32_t(mesh.positions.size());
-  mesh.positions.insert(mesh.positions.end(), {a, b, c, d});
-  mesh.triangles.push_back({n, n + 1, n + 2});
-  mesh.triangles.push_back({n, n + 2, n + 3});
-}
+using test::add_quad;
 
 /// A box between two corners, turned about the vertical axis through its centre.
-void add_box(TriangleMesh& mesh, const vec3& lo, const vec3& hi, float turn) {
+void add_turned_box(TriangleMesh& mesh, const vec3& lo, const vec3& hi, float turn) {
   const vec3 center = (lo + hi) * 0.5f;
   const auto corner = [&](int i) {
     const vec3 p = vec3(i & 1 ? hi.x : lo.x, i & 2 ? hi.y : lo.y, i & 4 ? hi.z : lo.z) - center;
@@ -107,7 +103,7 @@ BenchScene room() {
   for (int i = 0; i < 40; ++i) {
     const float x = uniform(-3.6f, 3.6f), z = uniform(-3.6f, 2.0f), w = uniform(0.1f, 0.4f),
                 h = uniform(0.2f, 1.0f);
-    add_box(mesh, {x - w, 0, z - w}, {x + w, h, z + w}, uniform(0, 3));
+    add_turned_box(mesh, {x - w, 0, z - w}, {x + w, h, z + w}, uniform(0, 3));
     if (i % 2) {
       add_knot(mesh, {x, h + 0.35f, z}, uniform(0.2f, 0.4f), 2 + i % 3, 3 + i % 4, 0.12f, 600, 36);
     } else {
@@ -141,8 +137,8 @@ BenchScene cornell() {
   add_quad(mesh, {1, 0, -1}, {1, 0, 1}, {1, 2, 1}, {1, 2, -1});
   add_quad(mesh, {-0.25f, 1.99f, -0.25f}, {0.25f, 1.99f, -0.25f}, {0.25f, 1.99f, 0.25f},
            {-0.25f, 1.99f, 0.25f});
-  add_box(mesh, {-0.65f, 0, -0.6f}, {-0.05f, 1.2f, 0}, 0.3f);
-  add_box(mesh, {0.05f, 0, 0.05f}, {0.65f, 0.6f, 0.65f}, -0.3f);
+  add_turned_box(mesh, {-0.65f, 0, -0.6f}, {-0.05f, 1.2f, 0}, 0.3f);
+  add_turned_box(mesh, {0.05f, 0, 0.05f}, {0.65f, 0.6f, 0.65f}, -0.3f);
   return {"cornell", std::move(mesh), {0, 1, 3.6f}, {0, 1, 0}, 40};
 }
 

@@ -44,7 +44,7 @@ void KernelRunner::set_camera_rays(const std::vector<vec3>& directions) {
 double KernelRunner::run(KernelCall& call, std::size_t size, void* out, std::size_t bytes) {
   constexpr std::size_t local = 64;
   call.add("result", result_);
-  const Stopwatch watch;
+  const Stopwatch watch = started();
   call.run(device_, (size + local - 1) / local * local, local);
   device_.finish();
   const double seconds = watch.seconds();

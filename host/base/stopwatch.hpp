@@ -1,25 +1,33 @@
 #pragma once
 
-#include <chrono>
+#include <time.h>
 
 namespace nook {
 
-/// Wall-clock seconds.
+/// Seconds of the wall clock, or of all this process's threads together, which a busy machine disturbs less.
 class Stopwatch {
  public:
+  enum class Of { wall, threads };
+
+  explicit Stopwatch(Of of = Of::wall) : of_(of), start_(now()) {}
   /// Since it was made, or since the last lap().
-  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  double seconds() const { return now() - start_; }
   /// The same, and starts again.
   double lap() {
-    const Clock::time_point now = Clock::now();
-    const double passed = std::chrono::duration<double>(now - start_).count();
-    start_ = now;
+    const double end = now(), passed = end - start_;
+    start_ = end;
     return passed;
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now();
+  double now() const {
+    timespec t;
+    clock_gettime(of_ == Of::wall ? CLOCK_MONOTONIC : CLOCK_PROCESS_CPUTIME_ID, &t);
+    return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
+  }
+
+  Of of_;
+  double start_;
 };
 
 }  // namespace nook

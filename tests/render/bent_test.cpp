@@ -66,9 +66,9 @@ TEST(BentNormal, SplitRunsHaveTheSameBits) {
   scene.spp = 8;
   scene.effects = {bent(), bent()};
   scene.effects[1].view_space = true;
-  const Plan plan = make_plan(scene, mesh);
-  const Bvh bvh = build_bvh(mesh);
-  OcclusionTracer tracer(device(), plan, mesh, bvh);
+  Renderer renderer(scene, mesh);
+  OcclusionTracer& tracer = renderer.tracer();
+  const Plan& plan = renderer.plan();
   const auto pixels = pixels_in_order(plan.window, plan.width);
   std::vector<Film> whole = tracer.make_films(), split = tracer.make_films();
   tracer.accumulate(pixels, {0, 8}, whole);

@@ -96,14 +96,11 @@ Traced trace(const TriangleMesh& mesh, Traversal traversal,
   scene.directions = 4;
   scene.effects = {ao_within({DistanceLimit::Kind::value, 2}), ao_within({DistanceLimit::Kind::value, 2})};
   scene.effects[1].falloff = Falloff::smooth;
-  const Plan plan = make_plan(scene, mesh);
-  const Bvh bvh = build_bvh(mesh);
-  OcclusionTracer tracer(device(), plan, mesh, bvh, source, traversal);
-  const auto pixels = pixels_in_order(plan.window, plan.width);
-  std::vector<Film> films = tracer.make_films();
-  tracer.accumulate(pixels, {0, scene.spp}, films);
+  Renderer renderer(scene, mesh, source, traversal);
+  const std::vector<Film> films = renderer.films();
+  const auto pixels = pixels_in_order(renderer.plan().window, renderer.plan().width);
   Traced traced{films[0].sum, films[1].sum, {}};
-  for (const SurfacePoint& point : tracer.surface_points(pixels))
+  for (const SurfacePoint& point : renderer.tracer().surface_points(pixels))
     traced.triangle.push_back(point.flags & SURFACE_HIT ? point.triangle : 0xffffffffu);
   return traced;
 }

@@ -3,11 +3,9 @@
 #include <cmath>
 #include <utility>
 
-#include "bvh/bvh.hpp"
 #include "points/points.hpp"
 #include "ssao_scenes.hpp"
-#include "support/kernels.hpp"
-#include "trace/occlusion_tracer.hpp"
+#include "support/rendering.hpp"
 
 namespace nook::test {
 
@@ -25,21 +23,13 @@ inline Film estimate_at_origin(const TriangleMesh& mesh, const Effect& effect,
   scene.effects = {effect};
   scene.directions = directions;
   scene.sampler = Sampler::independent;
-  const Plan plan = make_plan(scene, mesh);
-  const Bvh bvh = build_bvh(mesh);
-  OcclusionTracer tracer(device(), plan, mesh, bvh);
   const SurfacePoint point = surface_point({0, 0, 0}, {0, 0, 1}, {0, 0, 1});
-  return tracer.estimate_points({&point, 1}, 0, directions);
+  return Renderer(scene, mesh).tracer().estimate_points({&point, 1}, 0, directions);
 }
 
 /// The films of a scene's effects, all of its samples.
 inline std::vector<Film> films_of(const Scene& scene, const TriangleMesh& mesh) {
-  const Plan plan = make_plan(scene, mesh);
-  const Bvh bvh = build_bvh(mesh);
-  OcclusionTracer tracer(device(), plan, mesh, bvh);
-  std::vector<Film> films = tracer.make_films();
-  tracer.accumulate(pixels_in_order(plan.window, plan.width), {0, scene.spp}, films);
-  return films;
+  return Renderer(scene, mesh).films();
 }
 
 inline double mean_of(const Film& film) {

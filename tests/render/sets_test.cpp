@@ -55,11 +55,9 @@ Film film_of(const TriangleMesh& mesh, const Effect& effect, const std::vector<S
   Scene scene;
   scene.effects = {effect};
   scene.directions = directions;
-  const Plan plan = make_plan(scene, mesh);
-  const Bvh bvh = build_bvh(mesh);
-  OcclusionTracer tracer(device(), plan, mesh, bvh, kernel_source, traversal);
-  Film film = tracer.estimate_points(points, 0, directions);
-  if (counters) *counters = tracer.counters();
+  Renderer renderer(scene, mesh, kernel_source, traversal);
+  Film film = renderer.tracer().estimate_points(points, 0, directions);
+  if (counters) *counters = renderer.counters();
   return film;
 }
 

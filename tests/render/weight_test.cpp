@@ -97,12 +97,11 @@ TEST(UniformWeight, APlantedDefectIsSeen) {
     scene.effects = {uniform(EffectKind::ao, sampling)};
     scene.directions = 1u << 14;
     scene.sampler = Sampler::independent;
-    const TriangleMesh mesh = plane_at(1);
-    const Plan plan = make_plan(scene, mesh);
-    const Bvh bvh = build_bvh(mesh);
-    OcclusionTracer tracer(device(), plan, mesh, bvh, source);
     const SurfacePoint point = surface_point({0, 0, 0}, {0, 0, 1}, {0, 0, 1});
-    return tracer.estimate_points({&point, 1}, 0, scene.directions).value(0);
+    return Renderer(scene, plane_at(1), source)
+        .tracer()
+        .estimate_points({&point, 1}, 0, scene.directions)
+        .value(0);
   };
   EXPECT_NEAR(value_with(kernel_source, Sampling::sphere), c, 0.03);
   EXPECT_GT(

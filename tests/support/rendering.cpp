@@ -7,16 +7,21 @@
 
 namespace nook::test {
 
-Renderer::Renderer(const Scene& scene, const TriangleMesh& mesh, const OcclusionTracer::KernelSource& source)
+Renderer::Renderer(const Scene& scene, const TriangleMesh& mesh, const OcclusionTracer::KernelSource& source,
+                   Traversal traversal)
     : mesh_(mesh),
       plan_(make_plan(scene, mesh)),
       bvh_(build_bvh(mesh)),
-      tracer_(device(), plan_, mesh, bvh_, source) {}
+      tracer_(device(), plan_, mesh_, bvh_, source, traversal) {}
+
+std::vector<Film> Renderer::films() {
+  std::vector<Film> films = tracer_.make_films();
+  tracer_.accumulate(pixels_in_order(plan_.window, plan_.width), {0, plan_.samples_per_pixel()}, films);
+  return films;
+}
 
 ReferenceImage Renderer::picture() {
-  std::vector<Film> films = tracer_.make_films();
-  tracer_.accumulate(pixels_in_order(plan_.window, plan_.width), {0, plan_.spp}, films);
-  const Film& film = films.front();
+  const Film film = std::move(films().front());
   ReferenceImage image{film.width, film.height, double(plan_.spp), {}, {}};
   for (std::size_t i = 0; i < film.pixels(); ++i) {
     image.mean.push_back(film.value(i));

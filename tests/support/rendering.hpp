@@ -10,16 +10,21 @@ namespace nook::test {
 class Renderer {
  public:
   Renderer(const Scene& scene, const TriangleMesh& mesh,
-           const OcclusionTracer::KernelSource& source = kernel_source);
+           const OcclusionTracer::KernelSource& source = kernel_source,
+           Traversal traversal = Traversal::automatic);
 
+  /// The films of all effects, with all of the plan's samples.
+  std::vector<Film> films();
   /// The first effect's picture with the variance of each pixel.
   ReferenceImage picture();
   /// AO or RO at points that may lie on surfaces, `directions` directions each.
   Film at_points(std::vector<SurfacePoint> points, std::uint32_t directions);
   /// The same with the spread of randomisations, as probe and bakes have it.
   Film with_errors(std::vector<SurfacePoint> points, std::uint32_t directions);
-  OcclusionTracer& tracer() { return tracer_; }
   const RenderCounters& counters() const { return tracer_.counters(); }
+  const Plan& plan() const { return plan_; }
+  /// For what the above does not do.
+  OcclusionTracer& tracer() { return tracer_; }
 
  private:
   TriangleMesh mesh_;
