@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/driver_threads.hpp"
 #include "base/error.hpp"
 #include "bench/embree/embree_occlusion.hpp"
 #include "bench/support/kernel_runner.hpp"
@@ -58,7 +59,7 @@ std::uint64_t differing_distances(const std::vector<float>& a, const std::vector
 
 void run(const Settings& s) {
   if (s.cpu_time) measured = Stopwatch::Of::threads;
-  limit_device_threads(s.threads);
+  limit_driver_threads(s.threads);
   const BenchScene scene = bench_scene(s.scene);
   const EmbreeScene fast(scene.mesh, false, s.threads), robust(scene.mesh, true, s.threads);
   const Device device(select_device(s.device));

@@ -11,6 +11,7 @@
 #include <thread>
 #include <utility>
 
+#include "base/driver_threads.hpp"
 #include "base/embedded_file.hpp"
 #include "base/error.hpp"
 #include "bench/support/child.hpp"
@@ -283,7 +284,7 @@ void run_options(const Settings& s) {
 
 void run(const Settings& s) {
   if (s.cpu_time) measured = Stopwatch::Of::threads;
-  limit_device_threads(s.threads);
+  limit_driver_threads(s.threads);
   if (s.part != "options") run_sweeps(s);
   if (s.part != "sweeps") run_options(s);
 }

@@ -7,7 +7,6 @@
 #include <cstdlib>
 
 #include "base/error.hpp"
-#include "base/threads.hpp"
 #include "device/pocl_folder.hpp"
 
 namespace nook {
@@ -132,14 +131,6 @@ DeviceInfo select_device(const std::string& selector) {
   throw Error(ErrorKind::device,
               fmt::format("no OpenCL device matches '{}'; `nook devices` lists the {} there are", selector,
                           devices.size()));
-}
-
-void limit_device_threads(unsigned threads) {
-  const std::string number = std::to_string(threads_to_use(threads));
-  // PoCL to 4, PoCL from 5 on, Intel's runtime, Mesa's llvmpipe (rusticl), oclgrind.
-  for (const char* variable : {"POCL_MAX_PTHREAD_COUNT", "POCL_CPU_MAX_CU_COUNT",
-                               "CL_CONFIG_CPU_TBB_NUM_WORKERS", "LP_NUM_THREADS", "OCLGRIND_NUM_THREADS"})
-    setenv(variable, number.c_str(), threads != 0);
 }
 
 Device::Device(const DeviceInfo& info) : info_(info) {

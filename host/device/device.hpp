@@ -48,11 +48,6 @@ const DeviceInfo* choose_device(std::span<const DeviceInfo> devices, const std::
 /// The same of list_devices(). Throws Error(device) with one line if there is no device or none matches.
 DeviceInfo select_device(const std::string& selector);
 
-/// Threads that CPU devices made later in this process may use; 0: threads_to_use(), unless the user has set
-/// the driver's own variable. Drivers read theirs once, so it must be called before the first list_devices()
-/// or select_device(), and while no other thread runs.
-void limit_device_threads(unsigned threads);
-
 /// One device, its context and its in-order queue.
 class Device {
  public:

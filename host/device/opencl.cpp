@@ -5,8 +5,8 @@
 #include <atomic>
 #include <cstdlib>
 
+#include "base/driver_threads.hpp"
 #include "base/error.hpp"
-#include "device/device.hpp"
 #include "device/pocl_folder.hpp"
 
 namespace nook {
@@ -15,7 +15,7 @@ namespace {
 std::atomic<bool> loaded = false;
 
 OpenClFunctions load() {
-  limit_device_threads(0);  // unless that is settled already
+  limit_driver_threads(0);  // unless that is settled already
   prepare_for_pocl();
   const char* name = std::getenv("NOOK_OPENCL");
   if (!name || !*name) name = "libOpenCL.so.1";

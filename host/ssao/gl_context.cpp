@@ -38,8 +38,4 @@ std::unique_ptr<GlContext> make_gl_context() {
   throw Error(ErrorKind::device, "NOOK_GL is '" + std::string(name) + "'; it must be osmesa or egl");
 }
 
-void limit_gl_threads(unsigned threads) {
-  if (threads > 0) setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 1);
-}
-
 }  // namespace nook

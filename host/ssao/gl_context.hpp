@@ -53,8 +53,4 @@ std::unique_ptr<GlContext> make_egl_context();
 /// One of the two, by $NOOK_GL: osmesa, which is the default, or egl. Throws Error(device) with one line.
 std::unique_ptr<GlContext> make_gl_context();
 
-/// Threads that llvmpipe draws with in contexts made later, in the whole process; 0: all. It reads them from
-/// the environment (LP_NUM_THREADS), which is set here.
-void limit_gl_threads(unsigned threads);
-
 }  // namespace nook

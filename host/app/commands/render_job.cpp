@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "app/options/loading.hpp"
+#include "base/driver_threads.hpp"
 #include "base/error.hpp"
-#include "ssao/gl_context.hpp"
 
 namespace nook {
 namespace {
@@ -56,7 +56,7 @@ SceneRenderer make_renderer(const Scene& scene, const RenderOptions& options,
   const AovRequest aovs = parse_aovs(channels);
   const bool alone = is_ssao_alone(scene);
   options.device.prepare(!alone);
-  if (alone) limit_gl_threads(options.device.threads);
+  if (alone) limit_driver_threads(options.device.threads);
   SceneRendererOptions made;
   made.threads = options.device.threads;
   made.surface = aovs.needs_surface();
