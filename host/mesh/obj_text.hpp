@@ -53,11 +53,10 @@ std::size_t for_each_statement(std::string_view text, const Visit& visit) {
     const char last = statement.empty() ? '\0' : statement.back();
     if ((last == '\\' || is_blank(last)) && goes_on(statement)) {
       joined = statement;
-      while (goes_on(joined)) {
+      for (std::string_view part = statement; goes_on(part); joined += part) {
         joined.erase(joined.rfind('\\'));
         joined += ' ';
-        if (at == end) break;
-        joined += next_line();
+        part = at == end ? std::string_view() : next_line();
       }
       statement = joined;
     }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -43,7 +44,7 @@ class HeaderReader {
       } else if (word == "property") {
         property(text);
       } else if (word != "comment" && word != "obj_info" && !word.empty()) {
-        fail(fmt::format("unknown header line '{}'", whole.substr(0, 40)));
+        fail(fmt::format("unknown header line '{}'", shown(whole)));
       }
     }
     if (!known_format) fail("the header has no format");
@@ -53,6 +54,11 @@ class HeaderReader {
  private:
   [[noreturn]] void fail(const std::string& what) const {
     throw Error(ErrorKind::scene, Place{name_, header_.lines}, what);
+  }
+
+  // Of a line: it may hold the other kind of line end.
+  static std::string_view shown(std::string_view text) {
+    return text.substr(0, std::min<std::size_t>(40, text.find_first_of("\r\n")));
   }
 
   std::string_view line() {
@@ -69,14 +75,13 @@ class HeaderReader {
     if (word == "ascii") return PlyHeader::Format::ascii;
     if (word == "binary_little_endian") return PlyHeader::Format::little_endian;
     if (word == "binary_big_endian") return PlyHeader::Format::big_endian;
-    fail(fmt::format("format '{}' is not ascii, binary_little_endian or binary_big_endian",
-                     word.substr(0, 40)));
+    fail(fmt::format("format '{}' is not ascii, binary_little_endian or binary_big_endian", shown(word)));
   }
 
   PlyType type(std::string_view word) const {
     for (std::size_t t = 0; t < type_names.size(); ++t)
       if (word == type_names[t][0] || word == type_names[t][1]) return PlyType(t);
-    fail(fmt::format("unknown type '{}'", word.substr(0, 40)));
+    fail(fmt::format("unknown type '{}'", shown(word)));
   }
 
   void element(std::string_view text) {

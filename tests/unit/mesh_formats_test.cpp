@@ -6,6 +6,7 @@
 #include <cstring>
 #include <regex>
 
+#include "base/error.hpp"
 #include "mesh/load_mesh.hpp"
 #include "mesh/mesh_analysis.hpp"
 #include "mesh/mtl_file.hpp"
@@ -31,15 +32,14 @@ TriangleMesh load(const std::string& name, const std::string& bytes,
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
 TEST(ObjKinds, AreTheSquare) {
-  const std::string texts[] = {"f 1 2 \\\n3 4\n",        "f 1 2 3\\\n 4\n",
-                               "f \\\n1 2 3 \\\n4",      "f 1 2 3\\\n4\n",
-                               "f 1// 2// 3// 4//\n",    "f 1/ 2/ 3/ 4/\n",
-                               "f -4 -3 -2 -1\n",        "\tf\t1 2\t3 4 \n",
-                               "# C:\\\nf 1 2 3 4\n",    "f 1 2 3 \\ \t\n4\n",
-                               "f 1/0 2/0 3/0/0 4//0\n", "f 1 2 3 4 # C:\\\n",
-                               "f +1 +2 +3 +4\n",        "f 1 2 3 4\\",
-                               "f 1 2 3 4 \\\n\n",       "f\v1 2 3 4\nl 1 2\np 1\n",
-                               "f 1 2 3 4\nend\n",       "v 9 \\\n9 9\nf 1 2 3 4\n"};
+  const std::string texts[] = {
+      "f 1 2 \\\n3 4\n",         "f 1 2 3\\\n 4\n",           "f \\\n1 2 3 \\\n4",
+      "f 1 2 3\\\n4\n",          "f 1// 2// 3// 4//\n",       "f 1/ 2/ 3/ 4/\n",
+      "f -4 -3 -2 -1\n",         "\tf\t1 2\t3 4 \n",          "# C:\\\nf 1 2 3 4\n",
+      "f 1 2 3 \\ \t\n4\n",      "f 1 2 \\ \n\\\n3 4 \\\n\n", "f 1/0 2/0 3/0/0 4//0\n",
+      "f 1 2 3 4 # C:\\\n",      "f +1 +2 +3 +4\n",           "f 1 2 3 4\\",
+      "f 1 2 3 4 \\\n\n",        "f\v1 2 3 4\nl 1 2\np 1\n",  "f 1 2 3 4\nend\n",
+      "v 9 \\\n9 9\nf 1 2 3 4\n"};
   const std::string expected = mesh_hash(load("a.obj", square + "f 1 2 3 4\n"));
   for (const std::string& text : texts)
     for (const char* line_end : {"\n", "\r\n", "\r"}) {
@@ -389,6 +389,15 @@ TEST(PlyKinds, NamesOfAnyCaseByteOrderMarksAndStripsWithoutSigns) {
       expected);
   expect_error(ErrorKind::scene, "a.ply:13: faces need the list vertex_indices",
                [&] { triangles("element face 1\nproperty list uchar int corners\n", "3 0 1 2\n"); });
+}
+
+TEST(PlyKinds, AHeaderLineWithTheOtherLineEndIsQuotedInOneLine) {
+  for (const char* line : {"what\never", "format a\nb", "element vertex 1\rproperty f\nl x"}) try {
+      load("a.ply", std::string("ply\r") + line + "\rend_header\r");
+      ADD_FAILURE() << line;
+    } catch (const Error& error) {
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    }
 }
 
 TEST(PlyKinds, CornersOwnTextureCoordinates) {
