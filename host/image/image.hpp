@@ -23,6 +23,9 @@ struct Image {
   std::map<std::string, std::string> metadata;  ///< "nook/seed" -> "7"
   /// The share of each pixel's camera rays that hit something, for previews: no channel. Empty: all.
   std::vector<float> coverage = {};
+  /// Of these, the share that hit a ground which is to look like the background: 1 or 0, by the pixel's
+  /// centre. Empty: none.
+  std::vector<float> ground = {};
   int x0 = 0, y0 = 0;                   ///< its first pixel in the whole image, of which it may be a crop
   int full_width = 0, full_height = 0;  ///< of the whole image; 0: this is all of it
 

@@ -96,16 +96,53 @@ bool equal(const float* a, const float* b, std::size_t count) {
   return std::equal(a, a + count, b, [](float x, float y) { return srgb_byte(x) == srgb_byte(y); });
 }
 
-// Each channel over the background, as far as it is seen: with alpha, as if it were not.
-std::vector<float> over(const float* values, const std::vector<float>& coverage, bool transparent,
-                        std::uint8_t behind) {
-  const auto color = static_cast<float>(linear_of(behind));
-  std::vector<float> made(values, values + coverage.size());
-  for (std::size_t i = 0; i < made.size(); ++i) {
-    if (!transparent)
-      made[i] += (1 - coverage[i]) * color;
-    else if (coverage[i] > 0)
-      made[i] /= coverage[i];
+// A channel of a pixel: what stays whatever lies behind, and the share of that which is seen: where nothing
+// is, and on the ground, which has the background's color and dims it.
+struct Light {
+  float own, through;
+};
+
+Light light_of(float value, const Image& image, std::size_t pixel) {
+  const float of_ground = image.ground.empty() ? 0 : std::max(value, 0.0f) * image.ground[pixel];
+  return {value - of_ground, 1 - image.coverage[pixel] + of_ground};
+}
+
+struct Composed {
+  std::vector<float> rgb[3], alpha;
+};
+
+// Viewers blend encoded values. So alpha and color are those with which a pixel over black and over white has
+// the code that it should have there: color alpha, and color alpha + 1 - alpha. Where the channels disagree
+// on alpha, the largest.
+Composed with_alpha(const Planes& planes, const Image& image) {
+  Composed made;
+  const std::size_t pixels = image.coverage.size();
+  made.alpha.resize(pixels);
+  for (std::vector<float>& channel : made.rgb) channel.resize(pixels);
+  for (std::size_t i = 0; i < pixels; ++i) {
+    int over_black[3], alpha = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Light light = light_of(planes.rgb[c][i], image, i);
+      over_black[c] = srgb_byte(light.own);
+      alpha = std::max(alpha, 255 - (srgb_byte(std::max(light.own, 0.0f) + light.through) - over_black[c]));
+    }
+    made.alpha[i] = float(alpha) / 255;
+    for (std::size_t c = 0; c < 3 && alpha > 0; ++c)
+      made.rgb[c][i] =
+          float(linear_of(std::uint8_t(std::min(255, (255 * over_black[c] + alpha / 2) / alpha))));
+  }
+  return made;
+}
+
+Composed over(const Planes& planes, const Image& image, const Background& background) {
+  Composed made;
+  const std::uint8_t behind[3] = {background.red, background.green, background.blue};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const float color = float(linear_of(behind[c]));
+    for (std::size_t i = 0; i < image.coverage.size(); ++i) {
+      const Light light = light_of(planes.rgb[c][i], image, i);
+      made.rgb[c].push_back(light.own + light.through * color);
+    }
   }
   return made;
 }
@@ -116,14 +153,11 @@ void write_png(const std::filesystem::path& path, const Image& image, const Back
   Planes planes{
       {plane(image, "R"), plane(image, "G"), plane(image, "B")}, nullptr, image.width, image.height, false};
   const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-  std::vector<float> composed[3];
+  Composed composed;
   if (image.coverage.size() == pixels && background != Background{}) {
-    const std::uint8_t behind[3] = {background.red, background.green, background.blue};
-    for (int c = 0; c < 3; ++c) {
-      composed[c] = over(planes.rgb[c], image.coverage, background.transparent, behind[c]);
-      planes.rgb[c] = composed[c].data();
-    }
-    if (background.transparent) planes.alpha = image.coverage.data();
+    composed = background.transparent ? with_alpha(planes, image) : over(planes, image, background);
+    for (std::size_t c = 0; c < 3; ++c) planes.rgb[c] = composed.rgb[c].data();
+    if (background.transparent) planes.alpha = composed.alpha.data();
   }
   planes.gray = equal(planes.rgb[0], planes.rgb[1], pixels) && equal(planes.rgb[0], planes.rgb[2], pixels);
   std::vector<std::uint8_t> row(static_cast<std::size_t>(image.width) * 4);

@@ -10,9 +10,11 @@
 namespace nook {
 
 /// Writes channels R, G, B as an 8-bit PNG: the data as it is, clamped to [0,1], sRGB encoded (IEC
-/// 61966-2-1), NaN as 0. Gray when R = G = B. Over a background the color is linear: value + (1 - coverage)
-/// background; alpha is the coverage, and the colors beside it are the value / coverage (PNG's are not
-/// multiplied by alpha). Temporary name and rename, as write_exr. Throws Error(output).
+/// 61966-2-1), NaN as 0. Gray when R = G = B. Over a background, the light of what is seen and
+/// the background's where nothing is add up, linearly; a ground (Image::ground) has the background's color
+/// times its value. With alpha a pixel looks like that over white and over black, in viewers that blend
+/// encoded values: a ground is its shadow alone. Temporary name and rename, as write_exr. Throws
+/// Error(output).
 void write_png(const std::filesystem::path& path, const Image& image, const Background& background = {});
 
 /// One number a pixel, row 0 at the top.

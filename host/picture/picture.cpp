@@ -86,6 +86,14 @@ std::vector<Channel> surface_channels(const Plan& plan, const AovRequest& aovs,
   return channels;
 }
 
+Channel preview_ground(const Plan& plan, std::span<const SurfacePoint> surface) {
+  std::vector<float> ground;
+  ground.reserve(surface.size());
+  for (const SurfacePoint& point : surface)
+    ground.push_back(point.flags & SURFACE_HIT && point.triangle >= *plan.preview_ground ? 1.0f : 0.0f);
+  return {ground_plane, std::move(ground)};
+}
+
 Image make_picture(const FilmPart& part) {
   AovRequest aovs;
   if (!request_channels(part.aovs, aovs).empty())
@@ -115,7 +123,11 @@ Image make_picture(const FilmPart& part) {
       add_plane(image.channels, of_effect + "samples", film.pixels(),
                 [&](std::size_t i) { return film.replicates[i] * film.per_replicate; });
   }
-  image.channels.insert(image.channels.end(), part.surface.begin(), part.surface.end());
+  for (const Channel& channel : part.surface)
+    if (channel.name == ground_plane)
+      image.ground = std::get<std::vector<float>>(channel.values);
+    else
+      image.channels.push_back(channel);
   // A main layer with a name of its own: its first three channels are an occlusion three times, or a
   // direction.
   if (!image.find("R"))

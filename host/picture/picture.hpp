@@ -35,6 +35,13 @@ std::vector<std::string> layer_names(const Plan& plan);
 std::vector<Channel> surface_channels(const Plan& plan, const AovRequest& aovs,
                                       std::span<const SurfacePoint> surface);
 
+/// A plane beside those of a part's surface that is no channel of its picture: Image::ground.
+constexpr const char* ground_plane = "preview ground";
+
+/// That of a plan with a preview_ground: 1 where a pixel's centre sees the ground, else 0. `surface` as
+/// above.
+Channel preview_ground(const Plan& plan, std::span<const SurfacePoint> surface);
+
 /// The image of a part, whatever samples it has: R = G = B = the first effect's estimate, further effects in
 /// their layers, the AOVs that the part names.
 Image make_picture(const FilmPart& part);

@@ -148,6 +148,18 @@ void choose_scales(EffectPlan& effect, float largest_exponent) {
   effect.square_scale = std::ldexp(1.0f, 30 - 2 * bits);
 }
 
+namespace {
+
+// Of a picture of occlusion that is not shown as it is.
+std::optional<std::uint32_t> ground_of_preview(const Scene& scene, const TriangleMesh& mesh) {
+  const EffectKind kind = scene.effects[main_effect(scene)].kind;
+  if (mesh.subject.empty() || scene.background == Background{}) return {};
+  if (kind != EffectKind::ao && kind != EffectKind::ro) return {};
+  return std::uint32_t(mesh.scene_triangles() - 2);
+}
+
+}  // namespace
+
 Plan make_plan(const Scene& scene, const TriangleMesh& mesh, bool surface) {
   Plan plan;
   plan.camera = camera_params(scene, mesh);
@@ -193,7 +205,8 @@ Plan make_plan(const Scene& scene, const TriangleMesh& mesh, bool surface) {
     plan.layers.push_back(layer);
   }
   plan.denoise = scene.denoise && !plan.effects.empty();
-  plan.surface = plan.surface || plan.denoise;
+  plan.preview_ground = ground_of_preview(scene, mesh);
+  plan.surface = plan.surface || plan.denoise || plan.preview_ground;
   plan.vertex_normals =
       mesh.has_normals() && plan.needs_opencl() && needed_attributes(scene, surface).normals;
   return plan;

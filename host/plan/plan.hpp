@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -64,9 +65,12 @@ struct Plan {
   bool vertex_normals = false;  ///< uploaded and interpolated
   bool materials = false;       ///< each triangle's material is uploaded, and surface points know theirs
   bool surface = false;         ///< the surface at the pixels' centres is read back: normal, position, depth
-  bool cutouts = false;         ///< rays look up opacity maps
-  bool denoise = false;         ///< the traced values are filtered
-  bool instances = false;       ///< rays go through the trees of placed meshes
+  /// Triangles from here on are a ground that the preview gives the background's color, which the surface at
+  /// the pixels' centres is read back for.
+  std::optional<std::uint32_t> preview_ground;
+  bool cutouts = false;                                   ///< rays look up opacity maps
+  bool denoise = false;                                   ///< the traced values are filtered
+  bool instances = false;                                 ///< rays go through the trees of placed meshes
   std::vector<std::vector<std::uint32_t>> occluder_sets;  ///< triangles, each set once; a tree each
   std::vector<EffectPlan> effects;                        ///< those that rays estimate
   std::vector<SsaoSettings> ssao;                         ///< the screen-space ones

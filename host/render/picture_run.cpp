@@ -121,6 +121,7 @@ void PictureRun::take(RunObserver& observer) {
   }
   FilmPart& part = samples_->session().part();
   part.surface = channels_of_surface();
+  if (plan.preview_ground) part.surface.push_back(preview_ground(plan, surface_));
   counts_ = part.counts;
   render_seconds_ = part.render_seconds;
 }

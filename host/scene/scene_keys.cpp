@@ -94,7 +94,8 @@ const Key<Scene> of_film[] = {
      field<Scene, &Scene::crop>()},
     {{.name = "background",
       .domain = {.form = Form::color, .words = words_of<background_names>},
-      .help = "of the PNG, where camera rays hit nothing: a color, or alpha. The EXR is the same",
+      .help = "of the PNG, where camera rays hit nothing, and of the ground: a color, or alpha. The EXR is "
+              "the same",
       .flag = "--background",
       .of_samples = false},
      field<Scene, &Scene::background>()},

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "image/png.hpp"
+#include "image/srgb.hpp"
 #include "support/nook_program.hpp"
 
 namespace nook::test {
@@ -67,23 +68,36 @@ TEST_F(FirstPicture, IsChosenByFlagVariableOrKey) {
   EXPECT_NE(plane(render(""), "R"), by_flag);
 }
 
-// From the front nothing is above the horizon but the box: it is opaque, what is above it is not.
+// From the front nothing is above the horizon but the box, which is opaque. What is above is not, and the
+// ground is as its shadow alone: at the horizon nothing is seen.
 TEST_F(FirstPicture, HasAlphaInItsPreviewAndNotInItsValues) {
   const Image image = render("--view front --aov alpha");
   const std::vector<float> coverage = plane(image, "A"), values = plane(image, "R");
-  const GrayImage alpha = read_png_opacity(folder / "a.png");
+  EXPECT_EQ(image.find("preview ground"), nullptr);
+  const GrayImage alpha = read_png_opacity(folder / "a.png"), color = read_png_opacity(folder / "a.png", 'l');
   ASSERT_EQ(alpha.values.size(), coverage.size());
-  for (std::size_t i = 0; i < coverage.size(); ++i)
-    EXPECT_EQ(alpha.values[i], int(255 * coverage[i] + 0.5f)) << i;
   EXPECT_EQ(alpha.values[32], 0);              // the top
   EXPECT_EQ(alpha.values[24 * 64 + 32], 255);  // the box
-  EXPECT_EQ(alpha.values[46 * 64 + 32], 255);  // the ground
+  EXPECT_EQ(coverage[46 * 64 + 32], 1);        // the ground
+  EXPECT_NEAR(alpha.values[46 * 64 + 32], 255 - srgb_byte(values[46 * 64 + 32]), 1);
+  EXPECT_EQ(color.values[46 * 64 + 32], 0);
+  for (int x : {1, 62})
+    for (int y = 20; y < 30; ++y) EXPECT_LT(alpha.values[std::size_t(64 * y + x)], 16) << "about the horizon";
+  EXPECT_EQ(coverage[26 * 64 + 1], 1);
   EXPECT_EQ(values[32], 0);
 
   const Image over_white = render("--view front --background white");
   EXPECT_EQ(plane(over_white, "R"), values);
   EXPECT_EQ(read_png_opacity(folder / "a.png", 'm').values[32], 255);
-  EXPECT_EQ(read_png_opacity(folder / "a.png", 'l').values[32], 255);
+  const GrayImage white = read_png_opacity(folder / "a.png", 'l');
+  EXPECT_EQ(white.values[32], 255);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    EXPECT_EQ(white.values[i], srgb_byte(values[i] + 1 - coverage[i])) << i;
+
+  // no ground in the color of the mesh: the horizon of a grey picture is grey above and below
+  render("--view front --background '#808080'");
+  const GrayImage gray = read_png_opacity(folder / "a.png", 'l');
+  for (int y : {2, 22, 26, 30}) EXPECT_NEAR(gray.values[std::size_t(64 * y + 1)], 128, 8) << y;
 }
 
 // 64 x 48 pixels: 8 % are 5.12 columns and 3.84 rows; the box is square from the front, so rows decide.

@@ -87,14 +87,41 @@ Image half_covered() {
   return image;
 }
 
-// PNG's colors are not multiplied by alpha: the half covered pixel has the value of what covers it.
+// Over black and over white, as viewers blend, a pixel has the code that it should have there.
 TEST(Png, HasAlphaWhereNothingIs) {
   test::TemporaryFolder folder;
   write_png(folder / "a.png", half_covered(), {.transparent = true});
-  EXPECT_EQ(read_png_opacity(folder / "a.png").values, (std::vector<std::uint8_t>{255, 128, 0}));
-  const GrayImage values = read_png_opacity(folder / "a.png", 'l');
-  EXPECT_EQ(values.values[0], srgb_byte(0.5f));
-  EXPECT_EQ(values.values[1], srgb_byte(0.25f));
+  const GrayImage alpha = read_png_opacity(folder / "a.png"), color = read_png_opacity(folder / "a.png", 'l');
+  const float over_black[] = {0.5f, 0.125f, 0}, over_white[] = {0.5f, 0.625f, 1};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double a = alpha.values[i] / 255.0, own = color.values[i] * a;
+    EXPECT_NEAR(own, srgb_byte(over_black[i]), 0.51) << i;
+    EXPECT_NEAR(own + 255 * (1 - a), srgb_byte(over_white[i]), 0.51) << i;
+  }
+  EXPECT_EQ(alpha.values[0], 255);
+  EXPECT_EQ(alpha.values[2], 0);
+}
+
+// A ground is seen as its shadow: black with an alpha, or the background's color times its value.
+TEST(Png, HasTheBackgroundsColorOnAGround) {
+  test::TemporaryFolder folder;
+  Image image = rgb_image(3, 1, {0.5f, 0.25f, 1}, {0.5f, 0.25f, 1}, {0.5f, 0.25f, 1});
+  image.coverage = {1, 1, 1};
+  image.ground = {0, 1, 1};
+  write_png(folder / "a.png", image, {.transparent = true});
+  const GrayImage alpha = read_png_opacity(folder / "a.png"), color = read_png_opacity(folder / "a.png", 'l');
+  EXPECT_EQ(alpha.values, (std::vector<std::uint8_t>{255, std::uint8_t(255 - srgb_byte(0.25f)), 0}));
+  EXPECT_EQ(color.values[0], srgb_byte(0.5f));
+  EXPECT_EQ(color.values[1], 0);
+
+  write_png(folder / "a.png", image, {false, 188, 188, 188});
+  const Decoded gray = decode(folder / "a.png");
+  EXPECT_EQ(gray.bytes[0], srgb_byte(0.5f));
+  EXPECT_EQ(gray.bytes[3], srgb_byte(0.25f * float(linear_of(188))));
+  EXPECT_EQ(gray.bytes[6], 188);
+
+  write_png(folder / "a.png", image, {false, 255, 255, 255});
+  EXPECT_EQ(decode(folder / "a.png").bytes[3], srgb_byte(0.25f)) << "over white it is as it was";
 }
 
 // Light adds up linearly: half of white is .5, and of what covers the other half .125 were there.
