@@ -26,10 +26,10 @@ def _version():
     return re.search(r"project\(nook VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
 
 
-def _platform():
+def _tag():
     import sysconfig
 
-    return re.sub("[-.]", "_", sysconfig.get_platform())
+    return "cp311-abi3-" + re.sub("[-.]", "_", sysconfig.get_platform())
 
 
 def _metadata():
@@ -59,6 +59,19 @@ def build_sdist(sdist_directory, config_settings=None):
     raise NotImplementedError("nook is built from a checkout: pip install PATH, or git archive")
 
 
+def _info_files():
+    wheel = f"Wheel-Version: 1.0\nGenerator: nook\nRoot-Is-Purelib: false\nTag: {_tag()}\n"
+    return {"METADATA": _metadata().encode(), "WHEEL": wheel.encode()}
+
+
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    info = Path(metadata_directory) / f"nook-{_version()}.dist-info"
+    info.mkdir()
+    for name, data in _info_files().items():
+        (info / name).write_bytes(data)
+    return info.name
+
+
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     kept = os.environ.get("NOOK_WHEEL_BUILD")
     with contextlib.nullcontext(kept) if kept else tempfile.TemporaryDirectory() as folder:
@@ -76,16 +89,14 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
 def pack(package, wheel_directory):
     """The package as a wheel. Equal files give equal bytes."""
     info = f"nook-{_version()}.dist-info"
-    tag = f"cp311-abi3-{_platform()}"
     files = {f"nook/{file.name}": file.read_bytes() for file in sorted(package.iterdir()) if file.is_file()}
-    files[f"{info}/METADATA"] = _metadata().encode()
-    files[f"{info}/WHEEL"] = f"Wheel-Version: 1.0\nGenerator: nook\nRoot-Is-Purelib: false\nTag: {tag}\n".encode()
+    files |= {f"{info}/{name}": data for name, data in _info_files().items()}
     record = ""
     for name, data in files.items():
         digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
         record += f"{name},sha256={digest},{len(data)}\n"
     files[f"{info}/RECORD"] = (record + f"{info}/RECORD,,\n").encode()
-    wheel = f"nook-{_version()}-{tag}.whl"
+    wheel = f"nook-{_version()}-{_tag()}.whl"
     with zipfile.ZipFile(Path(wheel_directory) / wheel, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, data in files.items():
             entry = zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0))
