@@ -12,6 +12,7 @@ from ._bake import Bake
 from ._errors import UsageError
 from ._picture import Picture
 from ._progress import Progress, told
+from ._rounds import to_error, wanted
 from ._settings import lines
 
 
@@ -103,7 +104,9 @@ class Scene:
         them all, docs/estimators.md the estimators and their variances.
 
         points: (n, 3), world units, on a surface or anywhere. normals: (n, 3), of any length but 0. samples:
-        directions at each point, 1 to 2^30.
+        directions at each point, 1 to 2^30 (1024). error: instead of samples, the standard error that each point
+        is to have, 1e-4 to 1: 256 directions everywhere, then four times as many where that was not enough, and so
+        on to 2^18; a SceneWarning counts the points that need more.
 
         Returns Estimates: value, standard_error and samples, n each. Standard errors are from 8 to 16
         randomisations of the point sequence (Owen 1997, "Monte Carlo variance of scrambled net quadrature").
@@ -275,14 +278,22 @@ class Scene:
         if sampler is not None and not isinstance(sampler, str):
             point_set = unit_points("sampler", sampler)
             del settings["sampler"]
-        samples = _directions(samples, point_set, shift)
+        error = settings.pop("error", None)
+        if error is not None and (samples is not None or point_set is not None):
+            raise UsageError(f"error: decides itself how many {'samples' if point_set is None else 'points'} are taken")
+        directions = _directions(samples, point_set, shift)
         if points.shape[0] == 0:
             raise UsageError("points: there are no points")
+        text = lines(settings)
+
+        def estimate(rows: Any, count: int) -> Dict[str, Any]:
+            p, n, v = (each if each is None or rows is None else each[rows] for each in (points, normals, views))
+            return _core.estimate(workspace, kind, p, n, v, count, point_set, shift, text, call)
+
         with told(progress, kind) as call:
-            made = _core.estimate(
-                workspace, kind, points, normals, views, samples, point_set, shift, lines(settings), call
-            )
-        return made, points.shape[0]
+            if error is not None:
+                return to_error(wanted(error), points.shape[0], estimate), points.shape[0]
+            return estimate(None, directions), points.shape[0]
 
 
 def _whole(name: str, value: Any, least: int, most: int) -> int:
@@ -322,9 +333,8 @@ def _made_again(description: Dict[str, Any]) -> Scene:
     return Scene(description.pop("file"), **description)
 
 
+_of_each = (("value", "float32"), ("standard_error", "float32"), ("samples", "uint32"))
+
+
 def _common(made: Dict[str, Any], n: int) -> Tuple[Any, Any, Any]:
-    return (
-        result(made["value"], "float32"),
-        result(made["standard_error"], "float32"),
-        result(made["samples"], "uint32"),
-    )
+    return tuple(result(made[name], dtype) for name, dtype in _of_each)  # type: ignore[return-value]

@@ -118,3 +118,24 @@ def test_png(folder):
     picture.save(folder / "picture.png")
     assert (folder / "picture.png").read_bytes()[:4] == b"\x89PNG"
     assert picture._repr_png_()[:4] == b"\x89PNG"
+
+
+def test_points_to_an_error():
+    points, normals = points_beside(200)
+    scene = nook.Scene(vertices=VERTICES, faces=FACES)
+    for error in (0.02, 0.002):
+        made = scene.ao(points, normals, error=error)
+        truth = scene.ao(points, normals, samples=1 << 15, seed=9).value
+        assert made.standard_error.max() <= error and set(made.samples) <= {256, 1024, 4096, 16384, 65536}
+        assert np.mean(np.abs(made.value - truth) < 1.96 * made.standard_error) > 0.9
+    assert len(set(made.samples)) > 1 and made.samples.min() < made.samples.max()
+    # The first round is that of 256 samples.
+    first, few = scene.ao(points, normals, samples=256), made.samples == 256
+    assert np.array_equal(made.value[few], first.value[few])
+    bent = scene.bent(points, normals, error=0.01)
+    assert bent.direction.shape == (200, 3) and np.allclose(np.linalg.norm(bent.direction, axis=1), 1, atol=1e-6)
+    for wrong, says in (({"error": 0}, "error: 0.0 is not"), ({"error": 0.1, "samples": 4}, "error: decides itself")):
+        with pytest.raises(nook.UsageError, match=says):
+            scene.ao(points, normals, **wrong)
+    with pytest.warns(nook.SceneWarning, match=r"error: [12] of 2 points have a larger one after 262144 directions"):
+        nook.Scene(vertices=VERTICES, faces=FACES).ao(points[:2], normals[:2], error=1e-4, sampler="independent")
