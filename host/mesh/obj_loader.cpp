@@ -110,8 +110,8 @@ void warn_of_odd_uvs(const std::vector<ObjPiece>& pieces, PolygonMesh& mesh) {
   if (count == 0) return;
   const std::string others = count > 1 ? fmt::format(" (and {} more)", count - 1) : "";
   mesh.warnings.push_back(
-      fmt::format("{}:{}: texture coordinates that are no finite numbers{}: corners with them have none", mesh.name,
-                  line, others));
+      fmt::format("{}:{}: texture coordinates that are no finite numbers{}: corners with them have none",
+                  mesh.name, line, others));
 }
 
 }  // namespace
