@@ -22,7 +22,8 @@ struct VertexProperty {
 TriangleMesh load_ply(const std::filesystem::path& path, const MeshAttributes& attributes = {});
 
 /// Writes positions, `normals` (one each), `properties` and triangles as a binary little-endian PLY file
-/// (temporary name and rename). Throws Error(output).
+/// (temporary name and rename). Positions are in the file's coordinates again, as doubles where a float does
+/// not hold one of them. Throws Error(output).
 void write_ply(const std::filesystem::path& path, const TriangleMesh& mesh, std::span<const vec3> normals,
                std::span<const VertexProperty> properties);
 

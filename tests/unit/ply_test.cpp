@@ -54,6 +54,27 @@ TEST(Ply, WhatIsWrittenIsReadBack) {
   EXPECT_NE(bytes.find("property float ao\n"), std::string::npos);
 }
 
+// Steps of 1/64 at 3 948 996, where floats are 1/4 apart: doubles hold them, and only there are any written.
+TEST(Ply, MapCoordinatesAreWrittenAsDoubles) {
+  const TemporaryFolder folder;
+  const auto written = [&](const std::string& x) {
+    const TriangleMesh mesh = load(
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n"
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n" +
+        x + ".015625 10 0\n" + x + ".5 10 0\n" + x + " 11 0\n3 0 1 2\n");
+    write_ply(folder / "out.ply", mesh, std::vector<vec3>(3, vec3(0, 0, 1)), {});
+    return test::read_bytes(folder / "out.ply");
+  };
+  const std::string far = written("3948996"), near = written("7");
+  EXPECT_NE(far.find("property double x\nproperty double y\nproperty double z\nproperty float nx\n"),
+            std::string::npos);
+  double first[3];
+  std::memcpy(first, far.data() + far.find("end_header\n") + 11, sizeof first);
+  EXPECT_EQ(first[0], 3948996.015625);
+  EXPECT_EQ(first[1], 10);
+  EXPECT_NE(near.find("property float x\n"), std::string::npos);
+}
+
 TEST(Ply, BadFilesSayWhere) {
   const auto refuse = [](const std::string& bytes, const std::string& message) {
     expect_error(ErrorKind::scene, message, [&] { load(bytes); });
