@@ -58,7 +58,7 @@ TEST(Points, NoRayThatHitsIsNoCertainty) {
     Renderer renderer(scene_of(EffectKind::ao, Sampling::cosine, sampler, 0), mesh);
     const Film film = renderer.with_errors({surface_point({0, 0, 0}, {0, 0, 1}, vec3(0))}, 512);
     EXPECT_EQ(film.value(0), 1);
-    EXPECT_NEAR(standard_error(film, 0, 1), 3 / 1.96 / 512, 1e-5);
+    EXPECT_NEAR(standard_error(film, 0, 1), std::sqrt(2.5) / 512, 1e-5);
   }
 }
 
