@@ -24,7 +24,7 @@ using test::OracleTracer;
 
 const float infinity = std::numeric_limits<float>::infinity();
 constexpr double promised = 1e6;         // the largest extent over the distance of interest
-constexpr double edge_margin = 0x1p-19;  // of the extent: nearer to an edge, either answer will do
+constexpr double edge_margin = 0x1p-20;  // of the extent: nearer to an edge, either answer will do
 constexpr int decades = 10;
 
 class Random {

@@ -54,9 +54,16 @@ ExactMeeting exact_meeting(const vec3& o, const vec3& d, const vec3& a, const ve
   double height = determinant(p[0], p[1], p[2]), approach = edge[0] + edge[1] + edge[2];
   ExactMeeting made;
   made.from_edge = HUGE_VAL;
+  const auto exact = [&](int i) {
+    const Whole start = whole(o);
+    const vec3* const corners[3] = {&a, &b, &c};
+    return determinant(whole(d), whole(*corners[(i + 1) % 3]) - start, whole(*corners[(i + 2) % 3]) - start);
+  };
   for (int i = 0; i < 3; ++i) {
     const double across = glm::length(glm::cross(along, p[(i + 2) % 3] - p[(i + 1) % 3]));
-    made.from_edge = std::min(made.from_edge, across > 0 ? std::abs(edge[i]) / across : 0);
+    double moment = std::abs(edge[i]);
+    if (off[i] > 1e-3 * moment) moment = std::ldexp(std::abs(exact(i).convert_to<double>()), -180);
+    made.from_edge = std::min(made.from_edge, across > 0 ? moment / across : 0);
   }
   for (int i = 0; i < 3; ++i)
     for (int k = 0; k < 3; ++k)
@@ -65,15 +72,14 @@ ExactMeeting exact_meeting(const vec3& o, const vec3& d, const vec3& a, const ve
       std::all_of(&edge[0], &edge[3], [&](double& e) { return std::abs(e) > off[&e - edge]; }) &&
       std::abs(height) > 1e-9 * permanent(p[0], p[1], p[2]);
   if (!sure) {
-    const Whole start = whole(o), ray = whole(d),
-                q[3] = {whole(a) - start, whole(b) - start, whole(c) - start};
+    const Whole start = whole(o), q[3] = {whole(a) - start, whole(b) - start, whole(c) - start};
     Integer sum = 0;
     bool above = true, below = true;
     for (int i = 0; i < 3; ++i) {
-      const Integer exact = determinant(ray, q[(i + 1) % 3], q[(i + 2) % 3]);
-      above = above && exact > 0;
-      below = below && exact < 0;
-      sum += exact;
+      const Integer moment = exact(i);
+      above = above && moment > 0;
+      below = below && moment < 0;
+      sum += moment;
     }
     made.inside = above || below;
     if (!made.inside) return made;

@@ -10,7 +10,7 @@ struct ExactMeeting {
   double t = 0;          ///< where, to a few roundings of itself; its sign is exact
   double cosine = 0;     ///< between the line and the triangle's normal, 0 to 1
   double shape = 1;      ///< twice the triangle's area over its longest edge squared: small for needles
-  double from_edge = 0;  ///< the least distance of the line from the lines of the edges
+  double from_edge = 0;  ///< the least distance of the line from the lines of the edges, to a thousandth
 };
 
 /// Signs by 512-bit integers (Boost.Multiprecision) where doubles leave them open. Coordinates are multiples
