@@ -7,8 +7,11 @@
 namespace nook {
 namespace {
 
-constexpr std::uint32_t randomisations = 8, first_of_each = 16;
-// Counts need at most 1/4 error^-2 samples; eight randomisations need at least 128, a net of 16 each.
+constexpr std::uint32_t randomisations = 4;
+// Directions of each randomisation before a pixel may stop.
+constexpr std::uint32_t first_directions = 16;
+// Counts need at most 1/4 error^-2 samples; four randomisations need at least 64, a net of 16 each, and take
+// more in steps of a quarter.
 constexpr double counts_from_error = 0.03;
 
 bool all_counts(const Plan& plan) {
@@ -45,7 +48,8 @@ Randomisations randomisations_of(const Plan& plan, const ErrorTarget& target) {
   const std::uint32_t most = std::max(1u, target.max_spp / randomisations),
                       least =
                           (std::min(target.min_spp, target.max_spp) + randomisations - 1) / randomisations;
-  for (std::uint32_t n = first_of_each; n < most; n += std::max(first_of_each, std::bit_floor(n) / 2))
+  const std::uint32_t first = (first_directions + plan.directions - 1) / plan.directions;
+  for (std::uint32_t n = first; n < most; n += std::max(1u, std::bit_floor(n) / 4))
     if (n >= least) made.stages.push_back(n);
   made.stages.push_back(most);
   return made;
@@ -57,7 +61,8 @@ bool AdaptiveRender::can_use(Sampler sampler) {
 
 Plan AdaptiveRender::plan_for(Plan plan, const ErrorTarget& target) {
   plan.replicate_directions = false;
-  if (all_counts(plan) && target.error >= counts_from_error) plan.sampler = Sampler::independent;
+  if (all_counts(plan) && !plan.choose_directions && target.error >= counts_from_error)
+    plan.sampler = Sampler::independent;
   plan.spp = std::max(2u, target.max_spp);
   if (plan.sampler != Sampler::independent)
     plan.spp = std::max(2u, randomisations * randomisations_of(plan, target).stages.back());
@@ -148,6 +153,7 @@ SampleBoxes AdaptiveRender::next() {
 }
 
 void AdaptiveRender::measure_progress() {
+  const double z = target_.z();
   const std::vector<Film>& films = session_.films();
   double square = 0, seen = 0;
   std::size_t open = 0;
@@ -159,7 +165,7 @@ void AdaptiveRender::measure_progress() {
       if (rules_[e]->background(films[e], i)) continue;
       seen += 1;
       if (rules_[e]->free(films[e], i)) continue;
-      const double error = rules_[e]->half_width(films[e], i) / target_.z();
+      const double error = rules_[e]->half_width(films[e], i) / z;
       square += error * error;
       if (!rules_[e]->done(films[e], i))
         most = std::max(most, std::min(rules_[e]->samples_needed(films[e], i), double(stages_.back())) -
@@ -192,6 +198,7 @@ AdaptiveResult AdaptiveRender::run(const Progress& progress) {
 }
 
 AdaptiveResult AdaptiveRender::result() {
+  const double z = target_.z();
   AdaptiveResult made;
   made.error_asked = target_.error;
   double square = 0, seen = 0;
@@ -212,7 +219,7 @@ AdaptiveResult AdaptiveRender::result() {
         pixel = rule.estimate(film, i);
       else
         pixel.half_width = 0.5;  // nothing is known
-      const double error = pixel.half_width / target_.z();
+      const double error = pixel.half_width / z;
       out.value.push_back(float(pixel.value));
       out.variance.push_back(float(error * error));
       out.samples.push_back(pixel.samples * plan_.directions);

@@ -35,14 +35,15 @@ struct AdaptiveResult {
   bool met() const { return share_done >= 1 && error_reached <= error_asked; }
 };
 
-/// The randomisations of a render to an error: 8, with 16, 32, 48, 64, 96, ... samples each (powers of two
-/// and their middles); one for independent samples. plan: AdaptiveRender::plan_for's.
+/// The randomisations of a render to an error: 4, with 16 directions each and at least Plan::directions at
+/// first, then in steps of a quarter of the power of two below; one for independent samples. plan:
+/// AdaptiveRender::plan_for's.
 Randomisations randomisations_of(const Plan& plan, const ErrorTarget& target);
 
 /// Renders until every pixel has the error asked for, each with as many samples as it needs.
 ///
 /// With independent samples: counts (AO, cosine) sequentially, all others with a pilot (independent_rule()).
-/// With randomised point sequences (Sobol', Halton): by the spread of 8 randomisations (replicate_rule()).
+/// With randomised point sequences (Sobol', Halton): by the spread of 4 randomisations (replicate_rule()).
 /// That is cheaper, unless the error asked is reached by its first stage already.
 ///
 /// A pixel is done at once if its first samples, and its neighbours', all miss the mesh. So is one whose

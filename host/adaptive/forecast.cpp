@@ -3,31 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adaptive/pilot_pixels.hpp"
 #include "adaptive/replicated_pilot.hpp"
 #include "math/median.hpp"
 
 namespace nook {
 namespace {
 
-constexpr std::size_t run_length =
-    64;  // pixels that are neighbours: rays as coherent as in the whole picture
 constexpr std::uint32_t samples_a_pass = 256;  // as a render's stages have for errors that take long
 // The rules take more samples than their target needs, by these factors: stages are an eighth apart, and what
 // a pilot asks for is on the safe side.
 constexpr double counts_surplus = 1.06, planned_surplus = 1.12;
-
-// Positions of about `wanted` pixels in evenly spread runs; of all, if there are fewer.
-std::vector<std::uint32_t> spread_runs(std::size_t pixels, std::size_t wanted) {
-  const std::size_t runs = std::max<std::size_t>(1, pixels / run_length);
-  const std::size_t step = std::max<std::size_t>(1, runs * run_length / std::max<std::size_t>(wanted, 1));
-  std::vector<std::uint32_t> chosen;
-  for (std::size_t run = step / 2; run < runs; run += step)
-    for (std::size_t i = run * run_length; i < std::min(pixels, (run + 1) * run_length); ++i)
-      chosen.push_back(std::uint32_t(i));
-  if (chosen.empty())
-    for (std::size_t i = 0; i < pixels; ++i) chosen.push_back(std::uint32_t(i));
-  return chosen;
-}
 
 }  // namespace
 
@@ -37,7 +23,7 @@ Forecast forecast(OcclusionTracer& tracer, const Plan& plan, const ErrorTarget& 
   const double start = clock();
   const std::vector<std::uint32_t> order = pixels_in_order(plan.window, plan.width);
   std::vector<std::uint32_t> pixels =
-      spread_runs(order.size(), std::max<std::size_t>(8192, order.size() / 32));
+      pilot_pixels(order.size(), std::max<std::size_t>(8192, order.size() / 32));
   if (plan.sampler != Sampler::independent) {
     Forecast made;
     ReplicatedPilot pilot(tracer, plan, target, std::move(pixels));

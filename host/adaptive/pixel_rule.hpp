@@ -93,7 +93,7 @@ std::unique_ptr<PixelRule> independent_rule(const EffectPlan& effect, const Plan
 ///
 /// Few randomisations know their variance badly, so the interval's is moderated by the neighbours' too (Smyth
 /// 2004, "Linear models and empirical Bayes methods", section 3): with v and v0 the two estimates of the
-/// mean's variance, of d = R - 1 and d0 = 8 degrees of freedom, (d v + d0 v0) / (d + d0) has d + d0, and the
+/// mean's variance, of d = R - 1 and d0 = 12 degrees of freedom, (d v + d0 v0) / (d + d0) has d + d0, and the
 /// interval is Student's. Where nothing varies, the interval is as wide as a single deviating sample would
 /// make it, which none of the nine pixels has seen.
 std::unique_ptr<PixelRule> replicate_rule(const EffectPlan& effect, const Randomisations& randomisations,

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "adaptive/pixel_rule.hpp"
@@ -6,7 +7,7 @@
 namespace nook {
 namespace {
 
-constexpr unsigned degrees_of_neighbours = 8;
+constexpr unsigned degrees_of_neighbours = 12;
 // The most by which a pixel's own variance may exceed the one asked for, as a factor. A factor of 2 lets
 // errors of single pixels be 1.5 times too large. A factor of 1 takes 3 to 12 % more samples than that and,
 // since the decision then follows the estimate's own samples, biases values as small as the error by .16
@@ -15,7 +16,8 @@ constexpr double own_excess = 1.2;
 // The squared error of an Owen-scrambled sequence falls about like n^-1.25 in four dimensions with edges.
 constexpr double rate = 1.25;
 
-// Plane: samples when the pixel stopped. The randomisations' sums are the session's.
+// Planes: samples when the pixel stopped, and the variance that it claimed then, a double: its neighbours may
+// go on, and theirs is no longer comparable. The randomisations' sums are the session's.
 class ReplicatedPixels : public PixelRule {
  public:
   ReplicatedPixels(double bound, const Randomisations& randomisations, const ErrorTarget& target)
@@ -24,12 +26,17 @@ class ReplicatedPixels : public PixelRule {
         degrees_(randomisations.count - 1),
         quantile_(student_quantile(target.confidence, degrees_ + degrees_of_neighbours)) {}
 
+  std::size_t planes() const override { return 2; }
+
   void look(Film& film, std::uint32_t stage) override {
     prepare(film);
     for (std::size_t i = 0; i < film.pixels(); ++i)
       if (!done(film, i) && film.camera_samples[i] == stage &&
-          deciding_half_width(film, i) <= z_ * target_.error)
+          deciding_half_width(film, i) <= z_ * target_.error) {
+        const double variance = moderated_variance(film, i);
+        film.kept[plane_ + 1][i] = std::bit_cast<std::uint64_t>(variance);
         film.kept[plane_][i] = stage;
+      }
   }
   double samples_needed(const Film& film, std::size_t i) const override {
     const double times = deciding_half_width(film, i) / (z_ * target_.error);
@@ -43,8 +50,9 @@ class ReplicatedPixels : public PixelRule {
     return std::max(around, own / std::sqrt(own_excess));
   }
   double half_width(const Film& film, std::size_t i) const override {
-    const double variance = (degrees_ * variances_[i] + degrees_of_neighbours * variance_around(film, i)) /
-                            (degrees_ + degrees_of_neighbours);
+    const double variance = samples_at_stop(film, i) == film.camera_samples[i]
+                                ? std::bit_cast<double>(film.kept[plane_ + 1][i])
+                                : moderated_variance(film, i);
     // An event of probability 1 / (9 n) has a standard error of 1 / (3 n).
     const double unseen = bound_ / (3.0 * film.camera_samples[i] * film.per_replicate);
     return quantile_ * (variance > 0 ? std::sqrt(variance) : unseen);
@@ -55,6 +63,11 @@ class ReplicatedPixels : public PixelRule {
   }
 
  private:
+  double moderated_variance(const Film& film, std::size_t i) const {
+    return (degrees_ * variances_[i] + degrees_of_neighbours * variance_around(film, i)) /
+           (degrees_ + degrees_of_neighbours);
+  }
+
   // Of pixel i's mean, by the spread of its randomisations' means. Between stages some have more samples than
   // others; each then counts by its number.
   double variance_of_mean(const Film& film, std::size_t i) const {

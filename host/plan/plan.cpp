@@ -158,6 +158,9 @@ std::optional<std::uint32_t> ground_of_preview(const Scene& scene, const Triangl
   return std::uint32_t(mesh.scene_triangles() - 2);
 }
 
+// What a pilot chooses where most of the noise is between directions.
+constexpr std::uint32_t likely_directions = 16;
+
 }  // namespace
 
 Plan make_plan(const Scene& scene, const TriangleMesh& mesh, bool surface) {
@@ -168,8 +171,9 @@ Plan make_plan(const Scene& scene, const TriangleMesh& mesh, bool surface) {
   plan.height = scene.height;
   plan.window = scene.crop.value_or(PixelRect{0, 0, scene.width, scene.height});
   plan.spp = scene.spp;
-  plan.directions = scene.directions;
-  plan.replicate_directions = scene.spp == 1;
+  plan.choose_directions = scene.chooses_directions();
+  plan.directions = plan.choose_directions ? likely_directions : scene.directions;
+  plan.replicate_directions = scene.spp == 1 && !plan.choose_directions;
   plan.sampler = scene.sampler;
   plan.seed = scene.seed;
   plan.surface = surface;

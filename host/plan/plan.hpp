@@ -55,6 +55,7 @@ struct Plan {
   PixelRect window;                   ///< what is rendered of it
   std::uint32_t spp = 1;              ///< camera rays a pixel
   std::uint32_t directions = 1;       ///< occlusion rays per camera ray
+  bool choose_directions = false;     ///< a pilot chooses them before the render; then a guess stands there
   bool replicate_directions = false;  ///< see Film
   Sampler sampler = Sampler::sobol;
   /// Given points in [0,1)^2 to take directions from instead, at point lists: each randomisation takes the

@@ -56,6 +56,7 @@ Scene scene_to_bake(Scene scene) {
     throw Error(ErrorKind::scene, Place{scene.file.string()},
                 fmt::format("spp x directions is {}, at most {} for a bake", directions, most_directions));
   scene.directions = std::uint32_t(directions);
+  scene.direction_choice = Scene::DirectionChoice::given;
   scene.spp = 1;
   scene.denoise = false;
   scene.crop.reset();

@@ -51,6 +51,7 @@ struct PictureRun::Samples {
 
 PictureRun::PictureRun(SceneRenderer& renderer, PictureRequest request)
     : renderer_(renderer), request_(std::move(request)), aovs_(parse_aovs(request_.aovs)) {
+  renderer_.settle();
   const Plan& plan = renderer_.plan();
   const StopTarget& stop = renderer_.scene().stop;
   if (request_.start == 0) request_.start = Deadline::steady_seconds();

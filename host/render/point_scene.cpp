@@ -37,6 +37,7 @@ Scene scene_at_points(Scene scene, std::uint32_t directions) {
   scene.stop = {};
   scene.spp = 1;
   scene.directions = directions;
+  scene.direction_choice = Scene::DirectionChoice::given;
   scene.crop.reset();
   return scene;
 }

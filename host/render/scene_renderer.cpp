@@ -106,6 +106,11 @@ OcclusionTracer& SceneRenderer::tracer() {
   tracer_ = std::make_unique<OcclusionTracer>(on, plan_, shared_->mesh, built, options_.source,
                                               options_.traversal, programs.get());
   seconds_.compile = tracer_->build_seconds();
+  if (plan_.choose_directions) {
+    directions_ = choose_directions(*tracer_, plan_, scene_.stop.error);
+    plan_.directions = directions_->directions;
+    plan_.choose_directions = false;
+  }
   return *tracer_;
 }
 

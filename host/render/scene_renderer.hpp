@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "adaptive/directions.hpp"
 #include "device/device.hpp"
 #include "image/image.hpp"
 #include "mesh/triangle_mesh.hpp"
@@ -64,6 +65,12 @@ class SceneRenderer {
   const std::string& mesh_hash() const;
   /// What will be computed, with the scene's stop target in it (plan_until()).
   const Plan& plan() const { return plan_; }
+  /// Lets a pilot choose the plan's directions, if the scene leaves them open; tracer() does so too. Then
+  /// `directions` says why. Throws Error(device).
+  void settle() {
+    if (plan_.choose_directions) tracer();
+  }
+  const std::optional<DirectionChoice>& directions() const { return directions_; }
   /// Renders by another plan of the same scene; before tree() or tracer() are asked for.
   void set_plan(Plan plan) { plan_ = std::move(plan); }
   /// How many rays the tree is built for, instead of planned_rays(); before it is asked for.
@@ -97,6 +104,7 @@ class SceneRenderer {
   Plan plan_;
   std::optional<double> rays_;
   std::unique_ptr<OcclusionTracer> tracer_;
+  std::optional<DirectionChoice> directions_;
   ReadySeconds seconds_;
 };
 

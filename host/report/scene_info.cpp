@@ -92,6 +92,7 @@ SceneInfo scene_info(const Scene& scene, const TriangleMesh& mesh, bool targets)
   made.targets = targets;
   made.camera_rays = targets ? scene.stop.max_spp : scene.spp;
   made.directions = scene.directions;
+  made.chooses_directions = scene.chooses_directions();
   made.seed = scene.seed;
   made.sampler = name_of(scene.sampler);
   return made;
@@ -123,7 +124,7 @@ std::string info_json(const SceneInfo& info) {
                        {"not_of_unit_length", info.normals_normalised}};
   if (info.sampled) {
     json[info.targets ? "max_spp" : "spp"] = info.camera_rays;
-    json["directions"] = info.directions;
+    json["directions"] = info.chooses_directions ? nlohmann::json("auto") : nlohmann::json(info.directions);
     json["sampler"] = info.sampler;
     json["seed"] = info.seed;
   }

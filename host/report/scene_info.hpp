@@ -32,6 +32,7 @@ struct SceneInfo {
   bool sampled = false;  ///< some effect is traced, and the following means something
   bool targets = false;  ///< camera_rays is the most that an error or time limit may take
   std::uint32_t camera_rays = 1, directions = 1, seed = 0;
+  bool chooses_directions = false;
   std::string sampler;
   std::vector<EffectInfo> effects;
 };

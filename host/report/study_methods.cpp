@@ -85,6 +85,7 @@ Plan StudyScene::plan_with(Sampling sampling, Sampler sampler, std::uint32_t dir
   scene.effects.front().sampling = sampling;
   scene.sampler = sampler;
   scene.directions = directions;
+  scene.direction_choice = Scene::DirectionChoice::given;
   return make_plan(scene, mesh_);
 }
 

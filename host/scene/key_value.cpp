@@ -86,7 +86,7 @@ std::string expected(const Domain& d) {
     case Domain::Form::boolean:
       return "true or false";
     case Domain::Form::integer:
-      return fmt::format("an integer from {:.0f} to {:.0f}", d.lo, d.hi);
+      return fmt::format("an integer from {:.0f} to {:.0f}", d.lo, d.hi) + or_words(d);
     case Domain::Form::number: {
       std::string text(d.noun);
       const std::string range = range_text(d);

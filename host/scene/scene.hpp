@@ -148,12 +148,21 @@ struct Scene {
   bool realtime = false;
   std::vector<Effect> effects;   ///< at least one
   std::uint32_t spp = 1;         ///< camera rays a pixel
-  std::uint32_t directions = 1;  ///< occlusion rays per camera ray
+  std::uint32_t directions = 1;  ///< occlusion rays per camera ray, where they are not chosen
+  /// by_target: chosen if the scene renders to an error with a point sequence that stratifies them.
+  enum class DirectionChoice { by_target, given, automatic } direction_choice = DirectionChoice::by_target;
   Sampler sampler = Sampler::sobol;
   std::uint32_t seed = 0;
   StopTarget stop;
   bool compat_tinyrender = false;  ///< automatic AO limit 1.5, as the course's images have
   bool denoise = false;            ///< filter what is traced; see image/denoise.hpp
+
+  /// Whether a pilot chooses the directions; see adaptive/directions.hpp.
+  bool chooses_directions() const {
+    if (direction_choice == DirectionChoice::by_target)
+      return stop.error && (sampler == Sampler::sobol || sampler == Sampler::halton);
+    return direction_choice == DirectionChoice::automatic;
+  }
 };
 
 /// True if all that the scene asks for is SSAO: nothing of OpenCL is loaded then, and no tree is built.

@@ -20,6 +20,18 @@ constexpr Field<Scene> compat{
       s.compat_tinyrender = *value_of<bool>(compat_names, std::get<std::string>(value));
     }};
 
+constexpr std::string_view auto_word[] = {"auto"};
+constexpr Field<Scene> directions{
+    [](const Scene& s) {
+      return s.chooses_directions() ? KeyValue("auto") : KeyValue(std::int64_t(s.directions));
+    },
+    [](Scene& s, const KeyValue& value) {
+      const bool chosen = std::holds_alternative<std::string>(value);
+      s.direction_choice = chosen ? Scene::DirectionChoice::automatic : Scene::DirectionChoice::given;
+      s.directions = 1;
+      if (!chosen) unpack(value, s.directions);
+    }};
+
 constexpr auto without_stop = [](const Scene& s) { return !s.stop.any(); };
 constexpr auto with_stop = [](const Scene& s) { return s.stop.any(); };
 constexpr auto with_error = [](const Scene& s) { return s.stop.error.has_value(); };
@@ -160,11 +172,13 @@ const Key<Scene> of_renderer[] = {
      field<Scene, &Scene::stop, &StopTarget::max_spp>(),
      with_stop},
     {{.name = "directions",
-      .domain = integer(1, most_samples),
+      .domain = {.form = Form::integer, .lo = 1, .hi = most_samples, .words = auto_word},
       .readers = traced_kinds,
-      .help = "occlusion rays per camera ray; times `spp` (or `max_spp`) at most 2^28",
-      .flag = "--directions"},
-     field<Scene, &Scene::directions>()},
+      .help = "occlusion rays per camera ray; times `spp` (or `max_spp`) at most 2^28; `auto`: a pilot "
+              "chooses, see [directions](study.md#directions-a-camera-ray)",
+      .flag = "--directions",
+      .default_says = "1; `auto` with `error`, if `sampler` is `sobol` or `halton`"},
+     directions},
     {{.name = "sampler",
       .domain = choice<sampler_names>(),
       .readers = traced_kinds,

@@ -60,6 +60,7 @@ std::string to_toml(const Scene& scene) {
 
 std::string scene_hash(const Scene& scene) {
   Scene counted = scene;
+  if (scene.chooses_directions()) counted.direction_choice = Scene::DirectionChoice::automatic;
   counted.stop = {};  // spp is part of it, whatever ends the render
   const std::string text = write(counted, of_samples);
   const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());

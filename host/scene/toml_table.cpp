@@ -82,6 +82,7 @@ std::optional<KeyValue> value_of_node(const toml::node& node, const Domain& doma
     case Domain::Form::boolean:
       return node.is_boolean() ? std::optional<KeyValue>(**node.as_boolean()) : std::nullopt;
     case Domain::Form::integer: {
+      if (node.is_string() && one_of(domain.words, **node.as_string())) return **node.as_string();
       const toml::value<std::int64_t>* found = node.as_integer();
       if (!found || double(**found) < domain.lo || double(**found) > domain.hi) return std::nullopt;
       return **found;

@@ -83,6 +83,10 @@ class OcclusionTracer {
   void limit_launches(std::uint64_t rays) { rays_per_launch_ = rays; }
   static constexpr std::uint64_t most_rays_per_launch = 1u << 22;
 
+  /// Occlusion rays a camera ray from the next launch on, instead of the plan's. It has no
+  /// replicate_directions.
+  void set_directions(std::uint32_t directions) { plan_.directions = directions; }
+
   /// Empty films of the plan's window, one per effect.
   std::vector<Film> make_films() const;
 

@@ -78,16 +78,17 @@ class IntervalsTest : public ::testing::Test {
       out.held += (error * error <= 1.96 * 1.96 * double(estimates.variance[i])) / pixels;
       out.samples += estimates.samples[i] / pixels;
       double spread = 0;
-      for (std::size_t r = 0; made.sampler != Sampler::independent && r < 8; ++r)
-        spread += std::pow(8 * double(film.kept[r][i]) / film.sum_scale / film.camera_samples[i] -
+      const std::uint32_t count = randomisations_of(made, target).count;
+      for (std::size_t r = 0; count > 1 && r < count; ++r)
+        spread += std::pow(count * double(film.kept[r][i]) / film.sum_scale / estimates.samples[i] -
                                double(estimates.value[i]),
                            2);
-      out.held_by_spread += (error * error <= 1.96 * 1.96 * spread / 56) / pixels;
+      out.held_by_spread += (error * error <= 1.96 * 1.96 * spread / (count * (count - 1))) / pixels;
     }
     out.bias /= std::sqrt(square);
-    std::printf("| %.2f | %s | %.4f | %+.3f | %.1f %% | %.0f |\n", value,
-                std::string(name_of(made.sampler)).c_str(), target.error, out.bias, 100 * out.held,
-                out.samples);
+    std::printf("| %.2f | %s x %u | %.4f | %+.3f | %.1f %% | %.0f |\n", value,
+                std::string(name_of(made.sampler)).c_str(), made.directions, target.error, out.bias,
+                100 * out.held, out.samples);
     return out;
   }
 
@@ -141,8 +142,22 @@ TEST_F(IntervalsTest, RandomisedSequencesAreUnbiasedAndHeld) {
     }
 }
 
-// That this measure can fail: eight randomisations know their spread too badly for the normal quantile
-// (P(|t| <= 1.96) = .91 with 7 degrees of freedom).
+// Several directions of a camera ray, as a pilot chooses them.
+TEST_F(IntervalsTest, SeveralDirectionsAreUnbiasedAndHeld) {
+  for (const std::uint32_t directions : {4u, 16u})
+    for (const double value : {.03, .5, .9}) {
+      Scene several = scene(value, Sampling::cosine, Sampler::sobol);
+      several.directions = directions;
+      const double error = error_for(value);
+      const Outcome out = measure(several, value, {.error = error});
+      EXPECT_LE(std::abs(out.bias), bias_allowed) << value << " " << directions;
+      EXPECT_NEAR(out.held, .95, held_allowed) << value << " " << directions;
+      EXPECT_LE(out.error, error) << value << " " << directions;
+    }
+}
+
+// That this measure can fail: four randomisations know their spread too badly for the normal quantile
+// (P(|t| <= 1.96) = .855 with 3 degrees of freedom).
 TEST_F(IntervalsTest, ThePlainSpreadDoesNotHold) {
   const Outcome out = measure(scene(.5, Sampling::cosine, Sampler::sobol), .5, {.error = .01});
   EXPECT_LT(out.held_by_spread, .95 - held_allowed);

@@ -164,7 +164,9 @@ int walk(std::span<const Key<Owner>> keys, const Scene& base, OwnerOf owner) {
 
 TEST(SceneKeys, EveryOtherKeyIsReadWrittenAndHashed) {
   const auto whole = [](Scene& scene) -> Scene& { return scene; };
-  Scene fixed = scene_of(EffectKind::ao), to_error = fixed, placed = fixed, on_ground = fixed, framed = fixed;
+  Scene fixed = scene_of(EffectKind::ao);
+  fixed.direction_choice = Scene::DirectionChoice::given;  // else an error has them chosen
+  Scene to_error = fixed, placed = fixed, on_ground = fixed, framed = fixed;
   framed.automatic_camera = true;
   to_error.stop.error = 0.05;
   placed.mesh_file = "/a.obj";

@@ -52,8 +52,10 @@ void print_picture(const SceneInfo& info) {
   const std::string rays = counted(info.camera_rays, "camera ray");
   if (info.sampled)
     fmt::print("samples           {} a pixel, {} of a camera ray, {} from seed {}\n",
-               info.targets ? "at most " + rays : rays, counted(info.directions, "direction"), info.sampler,
-               info.seed);
+               info.targets ? "at most " + rays : rays,
+               info.chooses_directions ? "as many directions as a pilot chooses"
+                                       : counted(info.directions, "direction"),
+               info.sampler, info.seed);
   for (const SceneInfo::EffectInfo& effect : info.effects)
     fmt::print("effect            {}: {}\n", effect.name, effect.settings);
 }

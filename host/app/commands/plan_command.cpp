@@ -1,7 +1,8 @@
-// nook plan SCENE: what a render of the scene will do, what it leaves out, and why. Renders nothing and opens
-// no device.
+// nook plan SCENE: what a render of the scene will do, what it leaves out, and why. Renders nothing, and
+// opens a device only for the pilot of a scene that leaves its directions open.
 #include <fmt/format.h>
 
+#include "adaptive/directions.hpp"
 #include "app/commands.hpp"
 #include "app/options/loading.hpp"
 #include "app/options/scene_options.hpp"
@@ -18,6 +19,7 @@ namespace {
 
 struct PlanOptions {
   SceneOptions scene;
+  DeviceOptions device;
   bool json = false;
 };
 
@@ -68,10 +70,21 @@ int show_plan(const PlanOptions& options) {
   const Scene scene = options.scene.load();
   options.scene.check_applicable(scene);
   const TriangleMesh mesh = load_and_warn(scene, needed_attributes(scene), scene.instancing);
-  const Plan plan = make_plan(scene, mesh);
+  Plan plan = make_plan(scene, mesh);
   std::optional<Bvh> bvh;
   if (plan.needs_opencl()) bvh = build_bvh(mesh);  // of 16 children a node: no device is asked
-  const PlanReport report = report_plan(scene, plan, mesh, bvh ? &*bvh : nullptr);
+  std::string chosen;
+  if (plan.choose_directions && bvh) {
+    options.device.prepare();
+    const Device device = options.device.open();
+    OcclusionTracer tracer(device, plan, mesh, *bvh);
+    const DirectionChoice choice = choose_directions(tracer, plan, scene.stop.error);
+    tracer.store_programs();
+    plan.directions = choice.directions;
+    chosen = why(choice);
+  }
+  PlanReport report = report_plan(scene, plan, mesh, bvh ? &*bvh : nullptr);
+  if (!chosen.empty()) report.picture.emplace_back("directions", chosen);
   if (options.json)
     fmt::print("{}\n", plan_json(plan, mesh, report));
   else
@@ -87,6 +100,7 @@ void add_plan_command(CLI::App& app, Command& chosen) {
       app.add_subcommand("plan", "Say what a render of a scene will do, what it leaves out, and why");
   options->scene.add_to(*command);
   options->scene.add_background_to(*command);
+  options->device.add_to(*command);
   command->add_flag("--json", options->json, "As JSON");
   command->callback([options, &chosen] { chosen = [options] { return show_plan(*options); }; });
 }

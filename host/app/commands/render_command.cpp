@@ -12,6 +12,7 @@
 #include "app/interrupt.hpp"
 #include "base/error.hpp"
 #include "base/libraries.hpp"
+#include "base/to_stderr.hpp"
 #include "image/exr.hpp"
 #include "image/png.hpp"
 #include "plan/framing.hpp"
@@ -82,6 +83,8 @@ void finish(const Job& job, const Background& background, Image& image, RunRecor
 void get_ready(SceneRenderer& renderer, const Job& job, RunRecord& record) {
   record.device = renderer.device().info();
   if (!job.options.quiet) announce(record, renderer.scene().stop);
+  if (!job.options.quiet && renderer.directions())
+    to_stderr("directions chosen: {}\n", why(*renderer.directions()));
   const OcclusionTracer& tracer = renderer.tracer();
   record.seconds.bvh = renderer.seconds().bvh;
   record.seconds.compile = renderer.seconds().compile;
@@ -93,6 +96,7 @@ int render(SceneRenderer& renderer, const Job& job) {
   RunRecord record;
   record.scene_file = options.scene.scene.string();
   record.seconds.load = renderer.seconds().load;
+  renderer.settle();
   record.plan = renderer.plan();
   record.triangles = renderer.mesh().scene_triangles();
   record.scene_hash = scene_hash(renderer.scene());
@@ -136,6 +140,7 @@ int render(SceneRenderer& renderer, const Job& job) {
 int forecast_only(SceneRenderer& renderer, const Job& job) {
   RunRecord record;
   renderer.set_plan(plan_to_forecast(renderer.scene().stop, renderer.plan()));
+  renderer.settle();
   record.plan = renderer.plan();
   record.triangles = renderer.mesh().scene_triangles();
   get_ready(renderer, job, record);
