@@ -203,6 +203,21 @@ void prepare_for_pocl() {
   (void)done;
 }
 
+void reuse_code_of_single_items() {
+  if (lock_of_this_process.empty()) return;  // the user's folder is the user's
+  std::error_code failed;
+  std::vector<fs::path> of_one;  // PROGRAM/KERNEL/1-1-1-goffs0
+  for (fs::recursive_directory_iterator entry(folder_of(lock_of_this_process), failed), end;
+       !failed && entry != end; entry.increment(failed))
+    if (entry->is_directory(failed) && entry->path().filename() == "1-1-1-goffs0")
+      of_one.push_back(entry->path());
+  for (const fs::path& code : of_one)
+    if (const fs::path any = code.parent_path() / "0-0-0"; !fs::exists(any, failed)) {
+      fs::copy(code, any, fs::copy_options::recursive | fs::copy_options::create_hard_links, failed);
+      if (failed) fs::remove_all(any, failed);
+    }
+}
+
 const std::optional<Error>& problem_of_pocl_folder() {
   return problem;
 }

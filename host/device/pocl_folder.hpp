@@ -19,6 +19,13 @@ namespace nook {
 /// Sets environment variables: call it while no other thread reads them.
 void prepare_for_pocl();
 
+/// For programs whose work-groups have one work-item wherever they are launched: of what PoCL has compiled in
+/// this process's folder for such groups, makes its code for groups of any size too. PoCL keeps code of both
+/// kinds in a program's binary, compiles for the size at the first launch, and would compile each kernel once
+/// more (0.8 s) when it is asked for the binary, for sizes that are never launched. Where PoCL names its
+/// files otherwise, nothing is found, and it compiles.
+void reuse_code_of_single_items();
+
 /// Why PoCL can use no folder: Error(output) if there was no room for it or for 4 MiB in it, else
 /// Error(device), each naming the folder. PoCL then offers no device, or ends the process when it is used.
 const std::optional<Error>& problem_of_pocl_folder();

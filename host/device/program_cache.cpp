@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "device/pocl_folder.hpp"
 
 namespace nook {
 namespace {
@@ -126,9 +127,10 @@ BuildOptions& BuildOptions::define(const std::string& name, long value) {
   return *this;
 }
 
-void BuiltProgram::store() noexcept {
+void BuiltProgram::store(Groups launched) noexcept {
   if (!program || cache_entry.empty()) return;
   try {
+    if (launched == Groups::of_one) reuse_code_of_single_items();
     write_entry(cache_entry, binary_of(program));
     cache_entry.clear();
   } catch (const std::exception&) {

@@ -27,10 +27,13 @@ struct BuiltProgram {
   /// Throws Error(device) if the program has no kernel of this name.
   ClKernel kernel(const char* name) const;
 
+  enum class Groups { any, of_one };
+
   /// Writes a program that was compiled to the disk cache. Apart from build_program, because asking PoCL for
-  /// a binary compiles every kernel once more (0.5 s each), which no user should wait for before the picture.
-  /// A failure only costs the next run.
-  void store() noexcept;
+  /// a binary compiles every kernel once more (0.8 s each), which no user should wait for before the picture;
+  /// unless its kernels have run, and only in work-groups of one item each. A failure only costs the next
+  /// run.
+  void store(Groups launched = Groups::any) noexcept;
 };
 
 /// The folder of cached program binaries: NOOK_CACHE_DIR, else $XDG_CACHE_HOME/nook, else ~/.cache/nook;

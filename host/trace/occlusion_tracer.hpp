@@ -119,10 +119,11 @@ class OcclusionTracer {
   const RenderCounters& counters() const { return counters_; }
   double build_seconds() const { return build_seconds_; }
   bool all_from_cache() const { return all_from_cache_; }
-  /// Keeps the programs that were compiled in the disk cache; called when the work is done, for it takes
-  /// time.
+  /// Keeps the programs that were compiled in the disk cache; called when the work is done, for devices other
+  /// than PoCL's CPU may take time for it.
   void store_programs() {
-    for (auto& [key, program] : programs_) program.store();
+    const auto groups = device_.info().is_cpu() ? BuiltProgram::Groups::of_one : BuiltProgram::Groups::any;
+    for (auto& [key, program] : programs_) program.store(groups);
   }
   std::size_t programs() const { return programs_.size(); }
 
