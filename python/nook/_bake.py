@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Dict, Iterator, Mapping, Union
+from typing import Any, Dict, Union
 
 from . import _core
 from ._arrays import result
-from ._layers import layer
+from ._layers import Layers, layer
 
 
-class Bake(Mapping[str, Any]):
+class Bake(Layers):
     """Estimates at the vertices of a mesh, or at the corners of its triangles.
 
     bake["ao"] has a float32 for each vertex, shape (n,), or for each corner, shape (m, 3); bake["bent"] three
@@ -58,17 +58,6 @@ class Bake(Mapping[str, Any]):
 
     def __getitem__(self, name: str) -> Any:
         return layer(name, self._layers, self.properties, "_", "bake")
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._layers)
-
-    def __len__(self) -> int:
-        return len(self._layers)
-
-    def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
-        import numpy as np
-
-        return np.array(self[next(iter(self))], dtype=dtype)
 
     def save(self, file: Union[str, "os.PathLike[str]"]) -> None:
         """Writes a PLY file, as `nook bake` does: the vertices (or every corner as a vertex of its own) with

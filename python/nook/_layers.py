@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, List
+from typing import Any, Dict, Iterator, List, Mapping
 
 
 def layer(name: str, layers: Dict[str, List[str]], channels: Dict[str, Any], between: str, of: str) -> Any:
@@ -20,3 +20,20 @@ def layer(name: str, layers: Dict[str, List[str]], channels: Dict[str, Any], bet
     import numpy as np
 
     return np.stack([channels[each] for each in names], axis=-1)
+
+
+class Layers(Mapping[str, Any]):
+    """What was asked for by name; as an array, the first of it."""
+
+    _layers: Dict[str, List[str]]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._layers)
+
+    def __len__(self) -> int:
+        return len(self._layers)
+
+    def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
+        import numpy as np
+
+        return np.array(self[next(iter(self))], dtype=dtype)

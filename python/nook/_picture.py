@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Dict, Iterator, List, Mapping, Tuple, Union
+from typing import Any, Dict, Tuple, Union
 
 from . import _core
 from ._arrays import result
-from ._layers import layer
+from ._layers import Layers, layer
 
 
-class Picture(Mapping[str, Any]):
+class Picture(Layers):
     """The layers of a rendered scene: picture["ao"] is an array of shape (height, width), float32, row 0 at the
     top; picture["bent"], picture["normal"] and picture["position"] have shape (height, width, 3).
 
@@ -28,7 +28,7 @@ class Picture(Mapping[str, Any]):
         self.channels: Dict[str, Any] = {
             name: result(data, dtype, shape) for name, dtype, data in made["channels"]
         }
-        self._layers: Dict[str, List[str]] = dict(made["layers"])
+        self._layers = dict(made["layers"])
 
     @property
     def layers(self) -> Tuple[str, ...]:
@@ -37,17 +37,6 @@ class Picture(Mapping[str, Any]):
 
     def __getitem__(self, name: str) -> Any:
         return layer(name, self._layers, self.channels, ".", "picture")
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._layers)
-
-    def __len__(self) -> int:
-        return len(self._layers)
-
-    def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
-        import numpy as np
-
-        return np.array(self[next(iter(self))], dtype=dtype)
 
     def save(self, file: Union[str, "os.PathLike[str]"]) -> None:
         """Writes the picture: an .exr file with every channel, or a .png of R, G, B, clamped to 0 to 1 and sRGB
