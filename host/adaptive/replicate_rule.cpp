@@ -8,11 +8,10 @@ namespace nook {
 namespace {
 
 constexpr unsigned degrees_of_neighbours = 12;
-// The most by which a pixel's own variance may exceed the one asked for, as a factor. A factor of 2 lets
-// errors of single pixels be 1.5 times too large. A factor of 1 takes 3 to 12 % more samples than that and,
-// since the decision then follows the estimate's own samples, biases values as small as the error by .16
-// standard errors. This one takes 1 to 4 % more, and biases none by .1.
-constexpr double own_excess = 1.2;
+// The most by which a pixel's own variance may exceed the one asked for, as a factor. With 1.2 the root mean
+// square over a picture may exceed the error asked. With 1 the decision follows the estimate's own samples
+// more, and biases values as small as the error by more than .1 standard errors.
+constexpr double own_excess = 1.1;
 // The squared error of an Owen-scrambled sequence falls about like n^-1.25 in four dimensions with edges.
 constexpr double rate = 1.25;
 

@@ -246,14 +246,4 @@ std::string readers_text(const KeyInfo& key) {
                        : fmt::format("of type {} or {}", fmt::join(types, ", "), last);
 }
 
-std::string KeyInfo::variable() const {
-  std::string text(flag);
-  if (text.empty()) return text;
-  text = "NOOK" + text.substr(1);
-  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
-    return c == '-' ? '_' : c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c;
-  });
-  return text;
-}
-
 }  // namespace nook
