@@ -9,7 +9,8 @@ class Stopwatch {
  public:
   enum class Of { wall, threads };
 
-  explicit Stopwatch(Of of = Of::wall) : of_(of), start_(now()) {}
+  Stopwatch() : Stopwatch(Of::wall) {}
+  explicit Stopwatch(Of of) : of_(of), start_(now()) {}
   /// Since it was made, or since the last lap().
   double seconds() const { return now() - start_; }
   /// The same, and starts again.
@@ -21,7 +22,7 @@ class Stopwatch {
 
  private:
   double now() const {
-    timespec t;
+    timespec t = {};
     clock_gettime(of_ == Of::wall ? CLOCK_MONOTONIC : CLOCK_PROCESS_CPUTIME_ID, &t);
     return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
   }

@@ -4,6 +4,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <array>
 #include <csetjmp>
 #include <exception>
 #include <vector>
@@ -108,7 +109,8 @@ Light light_of(float value, const Image& image, std::size_t pixel) {
 }
 
 struct Composed {
-  std::vector<float> rgb[3], alpha;
+  std::array<std::vector<float>, 3> rgb;
+  std::vector<float> alpha;
 };
 
 // Viewers blend encoded values. So alpha and color are those with which a pixel over black and over white has

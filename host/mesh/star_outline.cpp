@@ -49,7 +49,8 @@ class Kernel {
   static constexpr std::size_t most = 32;
 
   void cut(const dvec2& a, const dvec2& b) {
-    std::array<double, most> left;
+    // What is read of these was written before.
+    std::array<double, most> left;  // NOLINT(cppcoreguidelines-pro-type-member-init)
     bool whole = true;
     for (std::size_t i = 0; i < size_; ++i) {
       const dvec2 e = b - a, p = corners_[i] - a;
@@ -57,7 +58,7 @@ class Kernel {
       whole = whole && left[i] > 0;
     }
     if (whole) return;
-    std::array<dvec2, most + 2> kept;
+    std::array<dvec2, most + 2> kept;  // NOLINT(cppcoreguidelines-pro-type-member-init)
     std::size_t count = 0;
     for (std::size_t i = 0; i < size_; ++i) {
       const std::size_t j = i + 1 == size_ ? 0 : i + 1;
@@ -69,7 +70,7 @@ class Kernel {
     std::copy_n(kept.begin(), size_, corners_.begin());
   }
 
-  std::array<dvec2, most> corners_;
+  std::array<dvec2, most> corners_ = {};
   std::size_t size_ = 0;
 };
 
