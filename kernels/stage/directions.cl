@@ -17,8 +17,8 @@
 // What each ray's direction is a function of; the fields that the effect does not need are not read.
 typedef struct {
   uint pixel[32], sample[32], direction[32], seed[32];  // the random numbers' key, as sample_directions() has it
-  float nx[32], ny[32], nz[32];               // shading normals, unit
-  float vx[32], vy[32], vz[32];               // to the viewer, unit
+  float nx[32], ny[32], nz[32];                         // shading normals, unit
+  float vx[32], vy[32], vz[32];                         // to the viewer, unit
   float exponent[32];
 } RayKeys;
 

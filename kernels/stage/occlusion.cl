@@ -5,6 +5,7 @@
 #include "shared/task.h"
 #include "shared/task_result.h"
 #include "stage/directions.cl"
+#include "stage/fixed_point.cl"
 #include "effect/visibility.cl"
 #include "effect/reach.cl"
 #include "effect/sets.cl"
@@ -29,13 +30,6 @@ bool takes_part(WITH_INSTANCE_PARAMS __global const SurfacePoint* point, __globa
   if (RECEIVERS && point->triangle != NO_TRIANGLE && !receives(receivers, STORED(point->triangle))) return false;
   if (ONLY_SELF && point->triangle == NO_TRIANGLE) return false;
   return !EXPONENT_OF_MATERIAL || exponent_of(point, exponents) >= 0.0f;
-}
-
-// x to the nearest integer, ties to even; |x| < 2^63, in two's complement. convert_long_rte() is the same, at several times the
-// instructions where a processor has none for it. A float has no fraction from 2^23 on.
-INLINE ulong to_fixed_point(float x) {
-  const float size = fabs(x), nearest = (size + 0x1p23f) - 0x1p23f;
-  return as_ulong((long)(size < 0x1p23f ? copysign(nearest, x) : x));
 }
 
 // Bent normals: Σ w V ω in fixed point (two's complement), in world space or along the camera's right, up and back axes.
